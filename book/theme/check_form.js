@@ -15,10 +15,9 @@
 
     const LABELS = ["Yours", "Ours", "The difference: orange where yours is brighter, blue where it's darker"];
 
-    // The elements that show an answer: its text, and the pictures side by side.
-    function makeReport({ text, size, pixels }) {
-        const [verdict, ...lines] = text.split("\n");
-        const report = make("span", { class: "report" }, make("b", {}, verdict), lines.join("\n"));
+    // The elements that show an answer: its lines, and the pictures side by side.
+    function makeReport({ lines: [headline, ...details], size, pixels }) {
+        const report = make("span", { class: "report" }, make("b", {}, headline), details.join("\n"));
         if (!size) return [report];
         const width = size[0] / 3;
         const panels = LABELS.map((label, k) => {

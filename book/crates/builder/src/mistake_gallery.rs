@@ -6,7 +6,7 @@ use crate::markdown::inline_html;
 use crate::picture::{self, Loading};
 use crate::sources::small_picture_name;
 use crate::values::Values;
-use course::{Mistake, Step, mistakes};
+use course::{Mistake, MistakePicture, ShownMistake, Step, mistakes};
 use figures::escape;
 
 /// The Markdown for `{{#mistakes step01_rays}}`: first a contact sheet of the mistakes that show in
@@ -15,27 +15,34 @@ use figures::escape;
 pub fn html(name: &str, sources: &Sources, loading: &mut Loading) -> ChapterResult<String> {
     let step = Step::from_name(name).ok_or_else(|| ChapterError::UnknownStep(name.to_owned()))?;
     let (mut items, mut sections) = (String::new(), String::new());
-    for mistake in &mistakes() {
-        let Some((name, _)) = mistake.pictures.first().filter(|(_, one)| *one == step) else {
+    for mistake in mistakes() {
+        let Some(shown) = &mistake.shown else { continue };
+        let Some(MistakePicture { name, .. }) =
+            shown.pictures.first().filter(|picture| picture.step == step)
+        else {
             continue;
         };
         let (title, source) =
             (title_html(mistake, &sources.values)?, format!("generated/mistake-{name}.png"));
-        let picture = picture::html(&mistake.effect.replace('`', ""), &source, sources, loading)?;
+        let picture = picture::html(&shown.effect.replace('`', ""), &source, sources, loading)?;
         items += &format!("- [{picture} {title}](#{name})\n");
         sections += &format!(
             "\n### {title} {{#{name}}}\n\n{}\n\n{}\n\n{}\n",
             panels_html(&source, step, sources, loading)?,
             changed_lines_html(mistake),
-            reason_markdown(mistake, &sources.values)?,
+            reason_markdown(mistake, shown, &sources.values)?,
         );
     }
     Ok(format!("<div class=\"contacts\">\n\n{items}\n</div>\n{sections}"))
 }
 
 /// Why a mistake is wrong, with a link to the section that explains it.
-fn reason_markdown(mistake: &Mistake, values: &Values) -> ChapterResult<String> {
-    let Mistake { step, section, reason, .. } = mistake;
+fn reason_markdown(
+    mistake: &Mistake,
+    ShownMistake { section, reason, .. }: &ShownMistake,
+    values: &Values,
+) -> ChapterResult<String> {
+    let step = mistake.step;
     let is_of_program = mistake.file.ends_with("/program.rs");
     let chapter = if is_of_program { "step01_program" } else { step.name() };
     let is_kept = |c: &char| c.is_alphanumeric() || *c == '-';

@@ -59,7 +59,8 @@ pub fn markdown_html(
 fn effect_of_picture(source: &str) -> Option<String> {
     let name = source.strip_prefix("generated/mistake-")?.strip_suffix(".png")?;
     let all = mistakes();
-    let mistake = all.iter().find(|one| one.pictures.iter().any(|(known, _)| *known == name))?;
+    let mut shown = all.iter().filter_map(|mistake| mistake.shown.as_ref());
+    let mistake = shown.find(|one| one.pictures.iter().any(|picture| picture.name == name))?;
     Some(mistake.effect.replace('`', ""))
 }
 

@@ -42,7 +42,7 @@ impl Sources {
             let wrong = wrong.map(|(name, picture)| (format!("mistake-{name}.png"), picture));
             let right = files.get(&format!("{}.png", step.name()));
             let right = right.with_context(|| format!("{} has no locked picture", step.name()))?;
-            let right = course::shrink(&image::load_from_memory(right)?.into_rgb8());
+            let right = course::make_small_picture(&image::load_from_memory(right)?.into_rgb8());
             for (name, picture) in wrong.chain([(small_picture_name(step), right)]) {
                 files.insert(name, encode_png(&picture));
             }
@@ -53,7 +53,8 @@ impl Sources {
             insert_script(files, &format!("{name}-module"), &module);
         }
         files.extend(figure_file::svg_files(workspace)?);
-        insert_script(files, "mistakes", course::mistake_texts().join("\0").as_bytes());
+        let texts = course::mistake_texts().map(|texts| texts.join()).unwrap_or_default();
+        insert_script(files, "mistakes", texts.as_bytes());
         Ok(Self { workspace: workspace.to_owned(), generated, values: Values::default() })
     }
 

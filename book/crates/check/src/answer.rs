@@ -1,131 +1,258 @@
-use course::{Step, draw_panels, json};
-use image::RgbImage;
+//! The answer about a picture: a verdict, a headline, details and causes.
 
-/// Verdict on a picture, in a word.
+use course::{Mistake, Step, draw_panels, json};
+use image::RgbImage;
+use std::fmt::{self, Display, Formatter};
+
+/// The verdict on a picture that was compared with ours.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Verdict {
-    /// Equal to ours in every pixel, and nothing of it is transparent.
+    /// Equal to ours in every pixel, and opaque.
     Right,
-    /// As a right program draws it with another size, field of view or number of samples.
+    /// What a right program draws with a different size, field of view or number of samples.
     OtherOptions,
-    /// Another picture.
+    /// A different picture.
     NotRight,
-    /// No picture, or nothing to compare it with.
-    Unreadable,
-    /// No file of a picture that was asked for.
-    Missing,
 }
 
 impl Verdict {
-    /// The verdict in the words of tables and JSON.
+    /// The verdict in a word or two, for tables and JSON.
     pub fn words(self) -> &'static str {
         match self {
             Self::Right => "right",
             Self::OtherOptions => "other options",
             Self::NotRight => "not right",
-            Self::Unreadable => "unreadable",
-            Self::Missing => "missing",
         }
     }
 
-    /// The exit code of the program: 0 if right, 1 if not, 2 if nothing was compared.
+    /// The sentence with which an answer starts.
+    fn sentence(self) -> &'static str {
+        match self {
+            Self::Right => "Right.",
+            Self::OtherOptions => "With other options.",
+            Self::NotRight => "Not right.",
+        }
+    }
+
+    /// The exit code of the program: 0 if the picture is right, else 1.
     pub fn exit_code(self) -> u8 {
         match self {
             Self::Right => 0,
-            Self::Unreadable | Self::Missing => 2,
-            _ => 1,
+            Self::OtherOptions | Self::NotRight => 1,
         }
     }
 }
 
-/// Something that we know and that gives the reader's picture in every pixel.
+/// Something that gives the reader's picture in every pixel.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Cause {
-    /// A listed mistake, or what is another number, in a few words.
-    pub words: String,
-    /// The step of the listed mistake, or whose number it is, as far as that is known.
-    pub step: Option<Step>,
-    /// The file of the listed mistake, seen from the root of the workspace; None of a number.
-    pub file: Option<String>,
-    /// Lines about what is written there.
-    pub details: String,
+pub enum Cause {
+    /// A mistake of the list.
+    Mistake(&'static Mistake),
+    /// A number of the scene that was typed differently, such as `the radius of the sphere = 2
+    /// instead of 1`.
+    SceneNumber(String),
+    /// A different camera, or what looks like one.
+    Camera(String),
 }
 
 impl Cause {
-    /// The words, and the file in brackets where it is known.
-    pub fn words_and_file(&self) -> String {
-        match &self.file {
-            Some(file) => format!("{} ({file})", self.words),
-            None => self.words.clone(),
+    /// The step whose program has the cause, if that is known.
+    fn step(&self) -> Option<Step> {
+        match self {
+            Self::Mistake(mistake) => Some(mistake.step),
+            Self::SceneNumber(_) => None,
+            Self::Camera(_) => Some(Step::Rays),
+        }
+    }
+
+    /// The file that has the cause, as a path from the root of the workspace, if that is known.
+    pub(crate) fn file(&self) -> Option<&str> {
+        match self {
+            Self::Mistake(mistake) => Some(&mistake.file),
+            Self::SceneNumber(_) | Self::Camera(_) => None,
+        }
+    }
+
+    /// The cause in a few words.
+    fn words(&self) -> &str {
+        match self {
+            Self::Mistake(mistake) => mistake.title,
+            Self::SceneNumber(words) | Self::Camera(words) => words,
         }
     }
 
     fn to_json(&self) -> String {
         let fields = [
-            ("mistake", Some(&*self.words)),
-            ("step", self.step.map(Step::name)),
-            ("file", self.file.as_deref()),
+            ("cause", Some(self.words())),
+            ("step", self.step().map(Step::name)),
+            ("file", self.file()),
         ];
-        json::object(
-            fields.into_iter().filter_map(|(name, value)| Some((name, json::quote(value?)))),
-        )
+        let fields = fields.into_iter();
+        json::object(fields.filter_map(|(name, value)| Some((name, json::quote(value?)))))
     }
 }
 
-/// Answer of `check` about a picture.
+/// The words, and the file in parentheses if it is known.
+impl Display for Cause {
+    fn fmt(&self, f: &mut Formatter) -> fmt::Result {
+        write!(f, "{}", self.words())?;
+        self.file().map_or(Ok(()), |file| write!(f, " ({file})"))
+    }
+}
+
+/// A reader's picture and ours, of the same size.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ComparedPictures {
+    /// The picture of the reader.
+    pub yours: RgbImage,
+    /// The right picture.
+    pub ours: RgbImage,
+}
+
+/// What else may have drawn a picture that other options give.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct OptionDoubts {
+    /// The listed mistakes that give the same picture with the default options.
+    pub mistakes: Vec<&'static Mistake>,
+    /// Whether the whole picture has one colour, as it has with many options and mistakes.
+    pub is_one_colour: bool,
+}
+
+/// The answer of `check` about a picture. Its `Display` is the text that the program prints.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Answer {
     /// The verdict.
     pub verdict: Verdict,
-    /// About eight lines, of which the first says the most.
-    pub text: String,
-    /// The sentence that helps most, for a table; empty if all is right.
-    pub feedback: String,
-    /// All causes that we know.
+    /// A sentence for each thing that is unusual about the file, such as a palette.
+    pub file_notes: Vec<String>,
+    /// The sentence that helps most.
+    pub headline: String,
+    /// Further lines, about six.
+    pub details: Vec<String>,
+    /// Everything we know of that gives this picture in every pixel.
     pub causes: Vec<Cause>,
-    /// The reader's picture and ours, where they differ and have one size.
-    pub compared: Option<[RgbImage; 2]>,
+    /// Both pictures, if they differ and have the same size.
+    pub compared: Option<ComparedPictures>,
+    pub(crate) option_doubts: OptionDoubts,
 }
 
 impl Answer {
-    /// An answer of words alone, whose first line helps most.
-    pub fn new(verdict: Verdict, text: impl Into<String>) -> Self {
-        let text = text.into();
-        let feedback = text.lines().next().unwrap_or_default().to_owned();
-        Self { verdict, text, feedback, causes: vec![], compared: None }
-    }
-
-    /// Says why nothing was compared.
-    pub fn error(reason: impl std::fmt::Display) -> Self {
-        Self::new(Verdict::Unreadable, reason.to_string())
-    }
-
-    /// The reader's picture, ours and the difference side by side, where they differ and have
-    /// one size.
-    pub fn draw_difference(&self) -> Option<RgbImage> {
-        self.compared.as_ref().map(|[yours, ours]| draw_panels(yours, ours))
-    }
-
-    /// The answer as JSON.
-    pub fn to_json(&self) -> String {
-        json::object(self.json_fields())
-    }
-
-    /// The answer as fields of a JSON object; `mistakes` only where some are known.
-    pub(crate) fn json_fields(&self) -> Vec<(&'static str, String)> {
-        let mut fields = vec![("verdict", json::quote(self.verdict.words()))];
-        if !self.causes.is_empty() {
-            fields.push(("mistakes", json::list(self.causes.iter().map(Cause::to_json))));
+    pub(crate) fn new(verdict: Verdict, headline: String) -> Self {
+        Self {
+            verdict,
+            file_notes: vec![],
+            headline,
+            details: vec![],
+            causes: vec![],
+            compared: None,
+            option_doubts: OptionDoubts::default(),
         }
-        fields.push(("text", json::quote(&self.text)));
-        fields
+    }
+
+    /// The lines of the text. The verdict and the sentence that matters most are in the first.
+    pub fn lines(&self) -> Vec<String> {
+        let (notes, headline) = (&self.file_notes[..], &[self.headline.clone()][..]);
+        // What is unusual about the file often explains a wrong picture, but only qualifies a
+        // right one.
+        let (first, second) = match self.verdict {
+            Verdict::NotRight => (notes, headline),
+            Verdict::Right | Verdict::OtherOptions => (headline, notes),
+        };
+        let mut lines = [first, second, &self.details].concat();
+        lines[0] = format!("{} {}", self.verdict.sentence(), lines[0]);
+        lines
+    }
+
+    /// The sentences that a table has room for: the notes on the file, and the headline unless
+    /// the picture is right.
+    pub(crate) fn summary(&self) -> String {
+        let headline = (self.verdict != Verdict::Right).then_some(&self.headline);
+        let sentences: Vec<_> = self.file_notes.iter().chain(headline).map(|one| &**one).collect();
+        sentences.join(" ")
+    }
+
+    /// The reader's picture, ours and the difference side by side, if they differ and have the
+    /// same size.
+    pub fn draw_difference(&self) -> Option<RgbImage> {
+        let ComparedPictures { yours, ours } = self.compared.as_ref()?;
+        Some(draw_panels(yours, ours))
+    }
+
+    /// The answer as JSON. The notes and the causes are left out if there are none.
+    pub fn to_json(&self) -> String {
+        let quote_all = |texts: &[String]| json::list(texts.iter().map(|text| json::quote(text)));
+        let mut fields = vec![("verdict", json::quote(self.verdict.words()))];
+        if !self.file_notes.is_empty() {
+            fields.push(("notes", quote_all(&self.file_notes)));
+        }
+        fields.push(("headline", json::quote(&self.headline)));
+        fields.push(("details", quote_all(&self.details)));
+        if !self.causes.is_empty() {
+            fields.push(("causes", json::list(self.causes.iter().map(Cause::to_json))));
+        }
+        json::object(fields)
     }
 }
 
-/// The first of some words, and how many more there are.
-pub(crate) fn join_first(mut words: Vec<String>, most: usize, between: &str) -> String {
-    let more = words.len().saturating_sub(most);
-    words.truncate(most);
-    words.extend((0 < more).then(|| format!("{more} more")));
-    words.join(between)
+impl Display for Answer {
+    fn fmt(&self, f: &mut Formatter) -> fmt::Result {
+        write!(f, "{}", self.lines().join("\n"))
+    }
+}
+
+/// Joins the first items of a list, and says how many more there are.
+pub(crate) fn join_first(mut items: Vec<String>, most: usize, separator: &str) -> String {
+    let more = items.len().saturating_sub(most);
+    items.truncate(most);
+    if more > 0 {
+        items.push(format!("{more} more"));
+    }
+    items.join(separator)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn answer(verdict: Verdict) -> Answer {
+        let file_notes = vec!["The file has a palette.".to_owned()];
+        let details = vec!["Column 1.".to_owned()];
+        Answer { file_notes, details, ..Answer::new(verdict, "It is blue.".to_owned()) }
+    }
+
+    #[test]
+    fn notes_come_first_only_if_the_picture_is_not_right() {
+        let wrong = answer(Verdict::NotRight);
+        let text = "Not right. The file has a palette.\nIt is blue.\nColumn 1.";
+        assert_eq!(wrong.to_string(), text);
+        assert_eq!(wrong.summary(), "The file has a palette. It is blue.");
+        let right = answer(Verdict::Right);
+        assert_eq!(right.to_string(), "Right. It is blue.\nThe file has a palette.\nColumn 1.");
+        assert_eq!(right.summary(), "The file has a palette.");
+        let options = answer(Verdict::OtherOptions);
+        let text = "With other options. It is blue.\nThe file has a palette.\nColumn 1.";
+        assert_eq!(options.to_string(), text);
+    }
+
+    #[test]
+    fn json_has_no_notes_and_causes_if_there_are_none() {
+        let answer = Answer::new(Verdict::Right, "Equal.".to_owned());
+        assert_eq!(answer.to_json(), r#"{"verdict":"right","headline":"Equal.","details":[]}"#);
+        let causes = vec![Cause::Camera("x of D_u".to_owned())];
+        let json = Answer { causes, ..answer }.to_json();
+        assert!(
+            json.ends_with(r#""causes":[{"cause":"x of D_u","step":"step01_rays"}]}"#),
+            "{json}"
+        );
+    }
+
+    #[test]
+    fn items_beyond_the_first_are_counted() {
+        let join = |items: &[&str]| {
+            join_first(items.iter().map(|&item| item.to_owned()).collect(), 2, "; ")
+        };
+        assert_eq!(join(&[]), "");
+        assert_eq!(join(&["a", "b"]), "a; b");
+        assert_eq!(join(&["a", "b", "c", "d"]), "a; b; 2 more");
+    }
 }

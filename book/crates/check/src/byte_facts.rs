@@ -1,54 +1,58 @@
+//! Facts about the bytes of the wrong pixels.
+
 use crate::answer::join_first;
 use crate::comparison::{Comparison, Pixel};
-use crate::drawing::Drawing;
+use crate::step_scene::StepScene;
 use course::Step;
 use std::collections::BTreeSet;
 use std::iter::zip;
 
-/// How many values of a byte have to be others before a file is named for them.
+/// A file is named only if at least this many values of a byte have changed.
 const CURVE_VALUES: usize = 16;
 
-/// How many bytes a sentence names.
+/// The most bytes that a sentence names.
 const MOST_BYTES: usize = 3;
 
-/// How many pixels are asked for a curve before all are.
+/// This many pixels are tried before all pixels are.
 const FIRST_PIXELS: usize = 500;
 
 /// Sentences about the bytes of each wrong pixel.
-pub(crate) fn byte_facts(comparison: &Comparison) -> Vec<String> {
+pub(crate) fn byte_sentences(comparison: &Comparison) -> Vec<String> {
     let mut sentences = vec![];
-    let mut tell = |words: &str, holds: &dyn Fn(&Pixel) -> bool| {
+    let mut add_if = |words: &str, holds: &dyn Fn(&Pixel) -> bool| {
         if comparison.wrong.iter().all(holds) {
             sentences.push(format!("Each wrong pixel {words}."));
         }
     };
     for (k, name) in ["red", "green", "blue"].into_iter().enumerate() {
         let words = format!("has our {name} in all three bytes");
-        tell(&words, &|one| one.yours == [one.ours[k]; 3]);
+        add_if(&words, &|one| one.yours == [one.ours[k]; 3]);
     }
-    tell("has the colour of a neighbour in ours", &|one| {
-        let (i, j) = one.place;
-        let columns = i.saturating_sub(1)..=i + 1;
-        let rows = j.saturating_sub(1)..=j + 1;
-        let mut around = rows.flat_map(|j| columns.clone().map(move |i| (i, j)));
-        around.any(|(i, j)| {
-            let colour = comparison.target.picture.get_pixel_checked(i, j);
-            colour.is_some_and(|colour| colour.0 == one.yours)
-        })
+    add_if("has the colour of a neighbour in ours", &|one| {
+        let ours = &comparison.target.picture;
+        neighbours(one.position)
+            .any(|(i, j)| ours.get_pixel_checked(i, j).is_some_and(|colour| colour.0 == one.yours))
     });
     sentences
 }
 
-/// A sentence about wrong pixels that all have one colour.
+/// The pixel itself and the pixels around it. On the right and below, they may lie outside the
+/// picture.
+fn neighbours((i, j): (u32, u32)) -> impl Iterator<Item = (u32, u32)> {
+    let rows = j.saturating_sub(1)..=j + 1;
+    rows.flat_map(move |row| (i.saturating_sub(1)..=i + 1).map(move |column| (column, row)))
+}
+
+/// A sentence about the wrong pixels if they all have the same colour.
 pub(crate) fn one_colour_sentence(wrong: &[Pixel]) -> Option<String> {
     let [r, g, b] = wrong.first()?.yours;
     let is_one = wrong.iter().all(|pixel| pixel.yours == [r, g, b]);
     is_one.then(|| format!("Each wrong pixel is ({r}, {g}, {b})."))
 }
 
-/// A sentence about bytes that follow from our bytes alone, in any order: one byte always becomes
-/// the same other.
-pub(crate) fn byte_map(comparison: &Comparison, drawing: &Drawing) -> Option<String> {
+/// A sentence about bytes that follow from our bytes alone: each value of a byte is always replaced
+/// by the same value. Returns None if they don't.
+pub(crate) fn byte_map_sentence(comparison: &Comparison, scene: &StepScene) -> Option<String> {
     let mut yours_of_ours = [None; 256];
     for Pixel { yours, ours, .. } in comparison.pixels() {
         for (yours, ours) in zip(yours, ours) {
@@ -60,54 +64,56 @@ pub(crate) fn byte_map(comparison: &Comparison, drawing: &Drawing) -> Option<Str
     let pairs = zip(0..=u8::MAX, yours_of_ours);
     let pairs = pairs.filter_map(|(ours, yours)| Some((ours, yours?)));
     let changed: Vec<_> = pairs.filter(|(ours, yours)| ours != yours).collect();
-    if changed.len() < CURVE_VALUES && is_sky_or_objects_alone(comparison, drawing) {
+    if changed.len() < CURVE_VALUES && is_sky_or_objects_alone(comparison, scene) {
         return None;
     }
-    let file = curve_file(changed.len(), drawing);
+    let file = curve_file(changed.len(), scene);
     let words = changed.iter().map(|(ours, yours)| format!("{ours} becomes {yours}"));
     let words = join_first(words.collect(), MOST_BYTES, ", ");
-    Some(format!("Each byte follows from ours alone: {words}.{file}"))
+    Some(format!("Each byte depends only on ours: {words}.{file}"))
 }
 
-/// Whether the sky or the objects alone are wrong, so that their colours may be others.
-fn is_sky_or_objects_alone(comparison: &Comparison, drawing: &Drawing) -> bool {
+/// Whether only the sky or only the objects differ. Then their colours may be wrong, and not the
+/// conversion to bytes.
+fn is_sky_or_objects_alone(comparison: &Comparison, scene: &StepScene) -> bool {
     let wrong_sky = comparison.wrong.iter().filter(|one| one.hit.is_none()).count();
-    Step::Rays < drawing.step && [0, comparison.wrong.len()].contains(&wrong_sky)
+    scene.step > Step::Rays && [0, comparison.wrong.len()].contains(&wrong_sky)
 }
 
-/// The files to compare for some changed values of bytes. In steps 1 and 2 other colours of the
-/// directions look the same.
-fn curve_file(value_count: usize, drawing: &Drawing) -> &'static str {
-    let is_known = CURVE_VALUES <= value_count && Step::Sphere < drawing.step;
+/// A sentence that names the files to compare if this many values of a byte have changed. In steps
+/// 1 and 2 it is empty, since there wrong colours of the directions look the same.
+fn curve_file(value_count: usize, scene: &StepScene) -> &'static str {
+    let is_known = value_count >= CURVE_VALUES && scene.step > Step::Sphere;
     if is_known { " Compare rgb8.rs and the mean in render.rs of step 1." } else { "" }
 }
 
-/// A sentence about bytes that follow from our intensity alone, and grow or fall with it.
-pub(crate) fn byte_curve(comparison: &Comparison, drawing: &Drawing) -> Option<String> {
-    if is_sky_or_objects_alone(comparison, drawing) {
+/// A sentence about bytes that follow from our intensity alone, and grow or fall with it. Returns
+/// None if they don't.
+pub(crate) fn byte_curve_sentence(comparison: &Comparison, scene: &StepScene) -> Option<String> {
+    if is_sky_or_objects_alone(comparison, scene) {
         return None;
     }
-    // Most pictures are refuted by a few pixels.
-    sorted_curve(comparison.pixels().take(FIRST_PIXELS), drawing)?;
-    let mut curve = sorted_curve(comparison.pixels(), drawing)?;
+    // For most pictures, a few pixels are enough to see that there is no curve.
+    sorted_curve(comparison.pixels().take(FIRST_PIXELS), scene)?;
+    let mut curve = sorted_curve(comparison.pixels(), scene)?;
     curve.retain(|(_, yours, ours)| yours != ours);
     let points = [1, 3, 5].map(|part| curve[part * curve.len() / 6]);
     let points = points.map(|(i, yours, ours)| format!("{i:.3} becomes {yours} (ours: {ours})"));
     let mut points = points.to_vec();
     points.dedup();
     let values: BTreeSet<_> = curve.iter().map(|(_, yours, _)| yours).collect();
-    let file = curve_file(values.len(), drawing);
-    Some(format!("Each byte follows from our intensity alone: {}.{file}", points.join(", ")))
+    let file = curve_file(values.len(), scene);
+    Some(format!("Each byte depends only on our intensity: {}.{file}", points.join(", ")))
 }
 
-/// Intensities of pixels in their order, with your bytes and ours; None where yours neither grow
-/// nor fall with them.
+/// The intensities of these pixels in ascending order, each with your byte and ours. Returns None
+/// if your bytes neither grow nor fall with them.
 fn sorted_curve<'a>(
     pixels: impl Iterator<Item = &'a Pixel>,
-    drawing: &Drawing,
+    scene: &StepScene,
 ) -> Option<Vec<(f64, u8, u8)>> {
     let bytes = pixels.flat_map(|pixel| {
-        let intensity = drawing.colour(&pixel.ray).to_array();
+        let intensity = scene.colour(&pixel.ray).to_array();
         (0..3).map(move |k| (intensity[k], pixel.yours[k], pixel.ours[k]))
     });
     let mut bytes: Vec<_> = bytes.collect();
@@ -115,5 +121,17 @@ fn sorted_curve<'a>(
     let is_curve = |is_meant: fn(u8, u8) -> bool| {
         bytes.is_sorted_by(|(i, a, _), (j, b, _)| if i == j { a == b } else { is_meant(*a, *b) })
     };
-    (is_curve(|a, b| a <= b) || is_curve(|a, b| b <= a)).then_some(bytes)
+    (is_curve(|a, b| a <= b) || is_curve(|a, b| a >= b)).then_some(bytes)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn neighbours_are_one_pixel_away() {
+        let expected = [(4, 6), (5, 6), (6, 6), (4, 7), (5, 7), (6, 7), (4, 8), (5, 8), (6, 8)];
+        assert_eq!(neighbours((5, 7)).collect::<Vec<_>>(), expected);
+        assert_eq!(neighbours((0, 0)).collect::<Vec<_>>(), [(0, 0), (1, 0), (0, 1), (1, 1)]);
+    }
 }

@@ -1,41 +1,45 @@
-//! Cameras other than ours. Those are tried that somebody may have written, and those in which the
-//! sky tells one other number of D_u, D_v and V_0: where nothing is hit, red is 0.7 + 0.3 V_x and
-//! green 0.7 + 0.3 V_y, and V is D_u i + D_v j + V_0, so that each byte bounds the number.
+//! Cameras other than ours that give the reader's picture.
+//!
+//! First come cameras with a formula that somebody may have written. If none of them fits, the sky
+//! says which number of D_u, D_v or V_0 may be different: where nothing is hit, red is
+//! 0.7 + 0.3 V_x and green is 0.7 + 0.3 V_y. Since V = D_u i + D_v j + V_0, each byte of the sky
+//! gives an interval for the number.
 
 use crate::comparison::{Budget, Comparison, Pixel};
-use crate::drawing::Drawing;
+use crate::number_format::with_minus;
+use crate::step_scene::StepScene;
 use course::{Step, camera};
 use std::ops::RangeInclusive;
 use step01_rays::Camera;
 
-/// A number of the camera's matrix: of D_u, D_v or V_0, and of x or y in it.
+/// One of six numbers of the camera's matrix: x or y of D_u, D_v or V_0.
 #[derive(Clone, Copy)]
 struct MatrixNumber {
     column: usize,
     row: usize,
 }
 
-/// The cameras that give the reader's picture in every pixel, in words.
+/// Describes the cameras that give the reader's picture in every pixel.
 pub(crate) fn find_cameras(
     comparison: &Comparison,
-    drawing: &Drawing,
+    scene: &StepScene,
     budget: &Budget,
 ) -> Vec<String> {
     let mut pixels: Vec<_> = comparison.pixels().collect();
     let mut gives_picture = |camera: &Camera| {
-        let ray = |pixel: &Pixel| camera.ray(pixel.place.0.into(), pixel.place.1.into());
-        budget.all(&mut pixels, 1, |pixel| drawing.bytes(&ray(pixel)) == pixel.yours)
+        let ray = |pixel: &Pixel| camera.ray(pixel.position.0.into(), pixel.position.1.into());
+        budget.holds_for_all(&mut pixels, 1, |pixel| scene.bytes(&ray(pixel)) == pixel.yours)
     };
     let written = written_cameras().into_iter().filter(|(camera, _)| gives_picture(camera));
     let mut words: Vec<_> = written.map(|(_, words)| words).collect();
     if words.is_empty() {
         words.extend(MatrixNumber::all().filter_map(|number| {
-            let mut values = values_told_by_sky(comparison, drawing, number).into_iter();
+            let mut values = values_from_sky(comparison, scene, number).into_iter();
             let value = values.find(|value| gives_picture(&number.camera_with(*value)))?;
             Some(number.describe(&value.to_string()))
         }));
     }
-    if drawing.step == Step::Rays && !words.is_empty() {
+    if scene.step == Step::Rays && !words.is_empty() {
         words.push("other colours of the directions".into());
     }
     words
@@ -50,23 +54,23 @@ impl MatrixNumber {
         camera().matrix.col(self.column)[self.row]
     }
 
-    /// Our camera with another value.
+    /// Our camera with this value instead of ours.
     fn camera_with(self, value: f64) -> Camera {
         let mut camera = camera();
         camera.matrix.col_mut(self.column)[self.row] = value;
         camera
     }
 
-    /// Such as `x of D_u = 0.002 instead of 0.001807`.
+    /// Describes a change to this value, such as `x of D_u = 0.002 instead of 0.001807`.
     fn describe(self, value: &str) -> String {
         let axis = ["x", "y"][self.row];
         let vector = ["D_u", "D_v", "V_0"][self.column];
-        format!("{axis} of {vector} = {value} instead of {:.6}", self.ours()).replace('-', "−")
+        with_minus(&format!("{axis} of {vector} = {value} instead of {:.6}", self.ours()))
     }
 }
 
-/// Cameras in which somebody may have written another formula for a number, or for the height of
-/// the view, each with its formula.
+/// Cameras in which somebody may have written a different formula for one number, or for the
+/// height of the view. Each comes with words that give its formula.
 fn written_cameras() -> Vec<(Camera, String)> {
     let ours = camera();
     let (tan, h_res, v_res) = (-ours.matrix.z_axis.x, 640.0, 360.0);
@@ -111,19 +115,16 @@ fn written_cameras() -> Vec<(Camera, String)> {
     cameras
 }
 
-/// Values of a number that fit the sky, those with the fewest digits first: the objects need it
-/// more exactly than the sky tells. None where ours fits, too.
-fn values_told_by_sky(
-    comparison: &Comparison,
-    drawing: &Drawing,
-    number: MatrixNumber,
-) -> Vec<f64> {
-    let Some(bounds) = bound_by_sky(comparison, drawing, number) else { return vec![] };
+/// Values of a number that fit the sky. Those with the fewest digits come first, since the sky
+/// leaves an interval, and only the objects decide. There are none if our value fits, too.
+fn values_from_sky(comparison: &Comparison, scene: &StepScene, number: MatrixNumber) -> Vec<f64> {
+    let Some(bounds) = bound_by_sky(comparison, scene, number) else { return vec![] };
     let (ours, matrix) = (number.ours(), camera().matrix);
     if bounds.contains(&ours) {
         return vec![];
     }
-    // Counted from a start in a unit.
+    // A rounded value is a start plus a round multiple of a unit: the number itself, a round
+    // multiple of ours, or ours moved by pixels.
     let pixel = if number.column == 2 { matrix.col(number.row)[number.row] } else { ours };
     let starts_and_units = [(0.0, 1.0), (0.0, ours), (ours, pixel)];
     let middle = (bounds.start() + bounds.end()) / 2.0;
@@ -133,36 +134,37 @@ fn values_told_by_sky(
             .map(|(start, unit)| start + ((middle - start) / unit * scale).round() / scale * unit)
     });
     let values = values.chain([middle]).filter(|value| bounds.contains(value));
-    // What is tried is what an answer says.
+    // Try the rounded number, since that is what the answer reports.
     values.map(|value| (value * 1e12).round() / 1e12).collect()
 }
 
-/// The values of a number that give all bytes of its channel where both pictures show the sky;
-/// None where no value does.
+/// The interval of values that give all bytes of the number's channel wherever both pictures show
+/// the sky. Returns None if no value does.
 fn bound_by_sky(
     comparison: &Comparison,
-    drawing: &Drawing,
+    scene: &StepScene,
     MatrixNumber { column, row }: MatrixNumber,
 ) -> Option<RangeInclusive<f64>> {
     let matrix = camera().matrix;
     let (mut least, mut most) = (f64::NEG_INFINITY, f64::INFINITY);
-    // The sky is 255 in blue, and the other number of V is ours. Lights make such pixels of
-    // objects, too, but hardly any above.
-    let rows = if drawing.step < Step::Diffuse { 0..360 } else { 0..120 };
+    // A pixel is taken for the sky if its blue is 255 and the other channel is ours. A highlight
+    // may look like that, too, but hardly in the upper third of the picture.
+    let rows = if scene.step < Step::Diffuse { 0..360 } else { 0..120 };
     let is_sky = |pixel: &&Pixel| {
         let Pixel { yours, ours, hit, .. } = pixel;
         hit.is_none() && yours[2] == 255 && yours[1 - row] == ours[1 - row]
     };
-    for pixel in comparison.pixels().filter(|pixel| rows.contains(&pixel.place.1)).filter(is_sky) {
+    for pixel in comparison.pixels().filter(|pixel| rows.contains(&pixel.position.1)).filter(is_sky)
+    {
         let byte = f64::from(pixel.yours[row]);
         if !(1.0..255.0).contains(&byte) {
             continue;
         }
-        let factor = f64::from([pixel.place.0, pixel.place.1, 1][column]);
+        let factor = f64::from([pixel.position.0, pixel.position.1, 1][column]);
         let other_terms = pixel.ray.direction[row] - factor * matrix.col(column)[row];
         let bound = |byte: f64| (byte / 255.0 - 0.7) / 0.3 - other_terms;
         let [low, high] = [bound(byte - 0.5), bound(byte + 0.5)];
-        if 0.0 < factor {
+        if factor > 0.0 {
             (least, most) = (least.max(low / factor), most.min(high / factor));
         }
         if most < least || factor == 0.0 && !(low..=high).contains(&0.0) {
@@ -170,4 +172,105 @@ fn bound_by_sky(
         }
     }
     Some(least..=most)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::target::Target;
+    use image::RgbImage;
+    use step01_rays::{picture, render};
+
+    const D_U: MatrixNumber = MatrixNumber { column: 0, row: 0 };
+    const D_V: MatrixNumber = MatrixNumber { column: 1, row: 1 };
+    const V_0: MatrixNumber = MatrixNumber { column: 2, row: 1 };
+
+    fn target() -> Target {
+        Target::of_locked("step01_rays", picture(&camera(), 1))
+    }
+
+    fn bounds(yours: &RgbImage, number: MatrixNumber) -> Option<RangeInclusive<f64>> {
+        let target = target();
+        let scene = target.scene.as_ref().expect("a step");
+        let comparison = Comparison::new(&target, yours).expect("a different picture");
+        bound_by_sky(&comparison, scene, number)
+    }
+
+    #[test]
+    fn number_of_each_column_is_found_by_the_sky() {
+        let target = target();
+        let scene = target.scene.as_ref().expect("a step");
+        for (number, value, words) in [
+            (D_U, 0.0017, "x of D_u = 0.0017 instead of 0.001807"),
+            (D_V, -0.002, "y of D_v = −0.002 instead of −0.001807"),
+            (V_0, 0.3, "y of V_0 = 0.3 instead of 0.324364"),
+        ] {
+            let yours = picture(&number.camera_with(value), 1);
+            let comparison = Comparison::new(&target, &yours).expect("a different picture");
+            let cameras = find_cameras(&comparison, scene, &Budget::new(10_000_000));
+            assert_eq!(cameras, [words, "other colours of the directions"]);
+        }
+    }
+
+    #[test]
+    fn no_number_fits_a_byte_on_which_it_has_no_influence() {
+        let mut yours = picture(&D_U.camera_with(0.0017), 1);
+        let range = bounds(&yours, D_U).expect("a range");
+        assert!(range.contains(&0.0017) && !range.contains(&D_U.ours()), "{range:?}");
+        // The ray of column 0 is V_0, whatever D_u is.
+        yours[(0, 5)][0] += 1;
+        assert_eq!(bounds(&yours, D_U), None);
+    }
+
+    #[test]
+    fn no_number_fits_bytes_that_contradict_each_other() {
+        let mut yours = picture(&D_U.camera_with(0.0017), 1);
+        yours[(639, 5)][0] += 1;
+        assert_eq!(bounds(&yours, D_U), None);
+    }
+
+    #[test]
+    fn clamped_bytes_and_other_channels_bound_nothing() {
+        let ours = picture(&camera(), 1);
+        // Each byte of red is clamped, so any number would do.
+        let white = RgbImage::from_fn(640, 360, |i, j| [255, ours[(i, j)][1], 255].into());
+        assert_eq!(bounds(&white, D_U), Some(f64::NEG_INFINITY..=f64::INFINITY));
+        // Green is wrong, too, so it isn't D_u alone.
+        let green = render(&camera(), 1, |ray| step01_rays::direction_colour(ray) * 0.5);
+        assert_eq!(bounds(&green, D_U), Some(f64::NEG_INFINITY..=f64::INFINITY));
+    }
+
+    /// What `find_cameras` says about the picture of step 3 by a camera in which one number has
+    /// this value.
+    fn cameras_of_step_3(number: MatrixNumber, value: f64) -> Vec<String> {
+        let target = Target::of_locked("step03_nearest", step03_nearest::picture(&camera(), 1));
+        let scene = target.scene.as_ref().expect("a step");
+        let yours = step03_nearest::picture(&number.camera_with(value), 1);
+        let comparison = Comparison::new(&target, &yours).expect("a different picture");
+        find_cameras(&comparison, scene, &Budget::new(10_000_000))
+    }
+
+    #[test]
+    fn multiples_of_ours_and_whole_pixels_are_tried() {
+        let twice = 2.0 * D_U.ours();
+        let words = format!("x of D_u = {:.12} instead of 0.001807", twice);
+        assert_eq!(cameras_of_step_3(D_U, twice), [words]);
+        let three_rows_lower = V_0.ours() + 3.0 * D_V.ours();
+        let words = format!("y of V_0 = {:.12} instead of 0.324364", three_rows_lower);
+        assert_eq!(cameras_of_step_3(V_0, three_rows_lower), [words]);
+    }
+
+    #[test]
+    fn written_cameras_have_the_numbers_of_their_formulas() {
+        let ours = camera().matrix;
+        let lines = written_cameras().into_iter().map(|(camera, words)| {
+            let numbers = MatrixNumber::all().filter_map(|number| {
+                let value = camera.matrix.col(number.column)[number.row];
+                (value != number.ours()).then(|| format!("{value:.9}"))
+            });
+            assert_ne!(camera.matrix, ours, "{words}");
+            format!("{words}: {}", numbers.collect::<Vec<_>>().join(", "))
+        });
+        insta::assert_snapshot!(lines.collect::<Vec<_>>().join("\n"));
+    }
 }

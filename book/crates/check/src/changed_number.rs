@@ -1,28 +1,34 @@
+//! Numbers of the scene that a reader may have typed differently.
+
 use crate::comparison::{Budget, Comparison};
-use crate::drawing::Drawing;
+use crate::number_format::{format_as_typed, with_minus};
+use crate::step_scene::StepScene;
 use course::{OwnScene, Owner, QUANTITIES, Typed};
 
-/// All single numbers of the scene, typed otherwise, that give the reader's picture in every
-/// pixel, in words.
+/// Describes each change of one number of the scene that gives the reader's picture in every
+/// pixel.
 pub(crate) fn find_changed_numbers(
     comparison: &Comparison,
-    drawing: &Drawing,
+    scene: &StepScene,
     budget: &Budget,
 ) -> Vec<String> {
     let mut pixels: Vec<_> = comparison.pixels().collect();
-    let own = OwnScene::new(drawing.own.scene.clone());
-    let mut changed = Drawing { own, ..*drawing };
+    let own = OwnScene::new(scene.own.scene.clone());
+    let mut changed = StepScene { own, ..*scene };
     let mut words = vec![];
     for quantity in QUANTITIES {
-        let Some(typed) = quantity.typed.filter(|typed| typed.since <= drawing.step) else {
+        let Some(typed) = quantity.typed.filter(|typed| typed.since <= scene.step) else {
             continue;
         };
-        for (k, owner) in owner_names(drawing, quantity.owner).into_iter().enumerate() {
-            let (old, count) = ((quantity.get)(&drawing.own, k), quantity.numbers.len());
+        for (k, owner) in owner_names(scene, quantity.owner).into_iter().enumerate() {
+            let (old, count) = ((quantity.get)(&scene.own, k), quantity.numbers.len());
             for new in all_with_one_number_changed(old, count, typed) {
                 (quantity.set)(&mut changed.own, k, new);
-                if budget.all(&mut pixels, 1, |pixel| changed.bytes(&pixel.ray) == pixel.yours) {
-                    let [new, old] = [new, old].map(|one| format_numbers(&one[..count]));
+                if budget
+                    .holds_for_all(&mut pixels, 1, |pixel| changed.bytes(&pixel.ray) == pixel.yours)
+                {
+                    let [new, old] =
+                        [new, old].map(|one| with_minus(&format_as_typed(&one[..count])));
                     words.push(format!("{} of {owner} = {new} instead of {old}", quantity.name));
                 }
             }
@@ -32,16 +38,17 @@ pub(crate) fn find_changed_numbers(
     words
 }
 
-/// The names of all that have a quantity.
-pub(crate) fn owner_names(drawing: &Drawing, owner: Owner) -> Vec<String> {
+/// The names of all owners of one kind, such as all objects.
+pub(crate) fn owner_names(scene: &StepScene, owner: Owner) -> Vec<String> {
     match owner {
-        Owner::Object => drawing.object_names(),
-        Owner::Light => drawing.light_names.map(str::to_owned).to_vec(),
+        Owner::Object => scene.object_names(),
+        Owner::Light => scene.light_names.map(str::to_owned).to_vec(),
         Owner::Scene | Owner::Camera => vec!["the scene".to_owned()],
     }
 }
 
-/// One number or three, one of them changed to another that somebody may have typed.
+/// All ways to change one of these numbers to a value that somebody may have typed. If the
+/// quantity has one number, it is in all three places.
 fn all_with_one_number_changed(
     old: [f64; 3],
     count: usize,
@@ -59,9 +66,40 @@ fn all_with_one_number_changed(
     })
 }
 
-/// (1, −2.5, 0), or the number alone.
-pub(crate) fn format_numbers(numbers: &[f64]) -> String {
-    let all: Vec<_> = numbers.iter().map(f64::to_string).collect();
-    let all = all.join(", ").replace('-', "−");
-    if numbers.len() == 1 { all } else { format!("({all})") }
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const TYPED: Typed = Typed { since: course::Step::Rays, range: [0, 1], steps_per_unit: 2 };
+
+    #[test]
+    fn one_number_is_changed_at_a_time() {
+        let changed: Vec<_> = all_with_one_number_changed([0.0, 1.0, 7.0], 3, TYPED).collect();
+        let expected = [
+            [0.5, 1.0, 7.0],
+            [1.0, 1.0, 7.0],
+            [0.0, 0.0, 7.0],
+            [0.0, 0.5, 7.0],
+            [0.0, 1.0, 0.0],
+            [0.0, 1.0, 0.5],
+            [0.0, 1.0, 1.0],
+        ];
+        assert_eq!(changed, expected);
+    }
+
+    #[test]
+    fn single_number_is_changed_in_all_places() {
+        let changed: Vec<_> = all_with_one_number_changed([0.5; 3], 1, TYPED).collect();
+        assert_eq!(changed, [[0.0; 3], [1.0; 3]]);
+    }
+
+    #[test]
+    fn owners_have_names() {
+        let scene = StepScene::of_step(course::Step::Sphere);
+        assert_eq!(owner_names(&scene, Owner::Object), ["the sphere"]);
+        assert_eq!(owner_names(&scene, Owner::Light), ["the warm light", "the cool light"]);
+        assert_eq!(owner_names(&scene, Owner::Scene), ["the scene"]);
+        let named = StepScene::of_name("ada");
+        assert_eq!(owner_names(&named, Owner::Object)[..2], ["ball 1", "the ground"]);
+    }
 }

@@ -1,77 +1,94 @@
-use crate::explain::explain;
-use crate::target::{Target, find_equal, find_name_in_file_name, hash_if_small};
-use crate::{Answer, Picture, Verdict, escape_for_terminal, read_png};
-use course::{find_mistakes_with_hash, locked_names};
-use image::RgbImage;
+//! `check` as a function from the bytes of a PNG file to an answer.
 
-/// Compares the picture in a PNG file with the locked picture `expected_name`; where that is
-/// left out, with the one that the file's own name tells, or that it is, with a listed mistake or
-/// without.
+use crate::explain::explain;
+use crate::png_file::{DecodedPng, PngError, read_png};
+use crate::reader_picture::ReaderPicture;
+use crate::target::{Target, find_name_in_file_name};
+use crate::{Answer, ComparedPictures, ReadFileError, Verdict, escape_for_terminal};
+use course::locked_names;
+use image::RgbImage;
+use std::error;
+use thiserror::Error;
+
+/// Why a file wasn't compared with anything.
+#[derive(Debug, Error)]
+pub enum CheckError {
+    /// The file can't be read.
+    #[error(transparent)]
+    Read(#[from] ReadFileError),
+    /// The file has no picture that can be read.
+    #[error("{file_name} {error}")]
+    Png {
+        /// The name of the file, as a terminal may show it.
+        file_name: String,
+        /// What is wrong with it.
+        error: PngError,
+    },
+    /// Neither the file's name nor the picture says which picture it should be.
+    #[error("no name says which picture it should be, such as step02_sphere")]
+    UnknownName,
+    /// There is no right picture to compare with.
+    #[error(transparent)]
+    NoRightPicture(Box<dyn error::Error + Send + Sync>),
+}
+
+/// Compares the picture in a PNG file with the locked picture `expected_name`. If that is None,
+/// the name is taken from the name of the file, or else from the picture itself: one that equals
+/// a locked picture, or the picture of a listed mistake.
 ///
-/// A function gives the locked pictures by their names, or why it can't. Nothing else is read: no
-/// file, no argument, no time.
-pub fn check_png(
+/// `right_picture` returns the locked picture of a name. Nothing else is read: no file, no
+/// argument, no clock.
+pub fn check_png<E: Into<Box<dyn error::Error + Send + Sync>>>(
     png: &[u8],
     file_name: &str,
     expected_name: Option<&str>,
-    locked_picture: fn(&str) -> Result<RgbImage, String>,
-) -> Answer {
-    answer_for_file(png, file_name, |picture| {
-        let yours = &picture.rgb;
-        let mistakes = || hash_if_small(yours).map(find_mistakes_with_hash).unwrap_or_default();
-        let name = expected_name
-            .or_else(|| find_name_in_file_name(file_name, locked_names().into_iter()))
-            .or_else(|| find_equal(yours))
-            .or_else(|| mistakes().first().map(|(_, name)| *name));
-        let unknown = "no name tells which picture it should be, such as step02_sphere";
-        let Some(name) = name else { return Answer::error(unknown) };
-        match locked_picture(name).map(|ours| Target::of_locked(name, ours)) {
-            Err(why) => Answer::error(why),
-            Ok(target) if target.picture == *yours => right(&target.title),
-            Ok(target) => explain(yours, &target),
-        }
-    })
+    right_picture: impl FnOnce(&str) -> Result<RgbImage, E>,
+) -> Result<Answer, CheckError> {
+    let DecodedPng { rgb, is_transparent, notes } = decode(png, file_name)?;
+    let yours = ReaderPicture::new(rgb);
+    let name = expected_name
+        .or_else(|| find_name_in_file_name(file_name, locked_names().into_iter()))
+        .or_else(|| yours.find_equal())
+        .or_else(|| yours.find_mistakes().first().map(|(_, name)| *name))
+        .ok_or(CheckError::UnknownName)?;
+    let ours = right_picture(name).map_err(|error| CheckError::NoRightPicture(error.into()))?;
+    let answer = compare(yours, Target::of_locked(name, ours));
+    Ok(with_file_notes(answer, notes, is_transparent))
 }
 
 /// Compares the picture in a PNG file with the scene that belongs to a name.
-pub fn check_scene_png(png: &[u8], file_name: &str, name: &str) -> Answer {
-    answer_for_file(png, file_name, |picture| {
-        let target = Target::of_scene(name);
-        if target.picture == picture.rgb {
-            return right(&target.title);
-        }
-        explain(&picture.rgb, &target)
-    })
+pub fn check_scene_png(png: &[u8], file_name: &str, name: &str) -> Result<Answer, CheckError> {
+    let DecodedPng { rgb, is_transparent, notes } = decode(png, file_name)?;
+    let answer = compare(ReaderPicture::new(rgb), Target::of_scene(name));
+    Ok(with_file_notes(answer, notes, is_transparent))
 }
 
-/// The answer of a function about the picture in a file, with what is to be said of the file.
-fn answer_for_file(png: &[u8], file_name: &str, check: impl FnOnce(&Picture) -> Answer) -> Answer {
-    let picture = match read_png(png) {
-        Ok(picture) => picture,
-        Err(what) => return Answer::error(format!("{} {what}", escape_for_terminal(file_name))),
-    };
-    let mut answer = check(&picture);
-    if answer.verdict == Verdict::Unreadable {
-        return answer;
+fn decode(png: &[u8], file_name: &str) -> Result<DecodedPng, CheckError> {
+    let file_name = escape_for_terminal(file_name);
+    read_png(png).map_err(|error| CheckError::Png { file_name, error })
+}
+
+/// The answer about a picture that should be equal to the target.
+fn compare(yours: ReaderPicture, target: Target) -> Answer {
+    if yours.rgb == target.picture {
+        return Answer::new(Verdict::Right, format!("This is {}, in every pixel.", target.title));
     }
-    if picture.is_transparent && answer.verdict != Verdict::NotRight {
+    let answer = explain(&yours, &target);
+    let (yours, ours) = (yours.rgb, target.picture);
+    let is_compared =
+        answer.verdict == Verdict::NotRight && yours.dimensions() == ours.dimensions();
+    let compared = is_compared.then_some(ComparedPictures { yours, ours });
+    Answer { compared, ..answer }
+}
+
+/// Adds what is unusual about the file. A picture that isn't opaque can't be right.
+fn with_file_notes(mut answer: Answer, notes: Vec<String>, is_transparent: bool) -> Answer {
+    if is_transparent && answer.verdict != Verdict::NotRight {
+        let without_alpha =
+            format!("Without alpha, the verdict would be \"{}\".", answer.verdict.words());
         answer.verdict = Verdict::NotRight;
-        answer.text = format!("Not right. Without alpha: {}", answer.text);
+        answer.details.insert(0, answer.headline);
+        answer.headline = without_alpha;
     }
-    // What the file is explains the most of a wrong picture, and qualifies a right one.
-    let notes = picture.notes.iter().map(|note| format!("{note}\n")).collect::<String>();
-    let (start, rest) = match answer.text.strip_prefix("Not right. ") {
-        Some(rest) => ("Not right. ", rest),
-        None => answer.text.split_once('\n').unwrap_or((&answer.text, "")),
-    };
-    let between = if start.ends_with(' ') { "" } else { "\n" };
-    answer.text = format!("{start}{between}{notes}{rest}").trim_end().to_owned();
-    let feedback = picture.notes.join(" ") + " " + &answer.feedback;
-    answer.feedback = feedback.trim().to_owned();
-    answer
-}
-
-fn right(title: &str) -> Answer {
-    let text = format!("Right: this is {title}, in every pixel.");
-    Answer { feedback: String::new(), ..Answer::new(Verdict::Right, text) }
+    Answer { file_notes: notes, ..answer }
 }

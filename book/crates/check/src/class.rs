@@ -1,5 +1,5 @@
-//! What a class has handed in: each folder in a folder is a student's, with whatever is in it and
-//! below. Nothing is read from a folder's name. The sheets that a class gets are here, too.
+//! What a class has handed in: a folder with one folder for each student, and whatever is in it
+//! and below. Nothing is read from a folder's name. The sheets that a class gets are here, too.
 
 mod feedback;
 mod folder;
@@ -11,32 +11,34 @@ mod student;
 mod table;
 mod write_folder;
 
-pub use names::{normalize_name, read_names};
+pub use folder::FolderError;
+pub use names::{NamesError, normalize_name, read_names};
 pub use report::{ClassReport, OwnReport};
-pub use scene_sheet::{format_sheet, write_sheets};
+pub use scene_sheet::{SheetError, format_sheet, write_sheets};
+pub use write_folder::WriteFolderError;
 
 use crate::class::folder::{
     StudentFolder, find_files, find_own_pictures, printable_name, read_class_folder,
 };
-use crate::class::names::{Doubles, NamedFolders};
+use crate::class::names::{DuplicateNames, NamedFolders};
 use crate::class::student::{StudentReport, check_student};
 use rayon::prelude::*;
 use std::path::Path;
 
-/// Says of each picture in the folders of a class whether it is right. A line of `names` is the
-/// whole name of a folder; without a list, each folder may have any name.
+/// Reports on each picture in the folders of a class. Each item of `names` is the whole name of a
+/// folder. Without a list, folders may have any name.
 pub fn report_on_class(
     folder: &Path,
     names: Option<&[String]>,
     required: &[&'static str],
-) -> Result<ClassReport, String> {
+) -> Result<ClassReport, FolderError> {
     let class = read_class_folder(folder)?;
-    let doubles = Doubles::new(&class.students);
+    let duplicates = DuplicateNames::new(&class.students);
     let named = names.map(|names| NamedFolders::new(names, &class.students));
     let check = |student: &StudentFolder| {
         let name = printable_name(&student.name);
         let mut report = check_student(name, find_files(student), required);
-        report.notes.extend(doubles.note(student));
+        report.notes.extend(duplicates.note(student));
         report.notes.extend(named.as_ref().and_then(|named| named.note(student)));
         report
     };
@@ -46,12 +48,11 @@ pub fn report_on_class(
     Ok(ClassReport { students, not_looked_at: class.not_looked_at })
 }
 
-/// Says of each of one's own pictures in a folder whether it is right. What lies in folders below
-/// it isn't looked at.
+/// Reports on somebody's own pictures in a folder. Folders inside it aren't looked at.
 pub fn report_on_own_pictures(
     folder: &Path,
     required: &[&'static str],
-) -> Result<OwnReport, String> {
+) -> Result<OwnReport, FolderError> {
     let own = check_student(String::new(), find_own_pictures(folder)?, required);
     Ok(OwnReport { own })
 }

@@ -1,44 +1,46 @@
-use crate::drawing::ObjectHit;
+//! A picture beside ours, pixel by pixel, and the budget for what is tried on them.
+
+use crate::step_scene::ObjectHit;
 use crate::target::Target;
 use course::{camera_with_size, largest_channel_difference};
 use image::{Rgb, RgbImage};
 use std::cell::Cell;
 use step01_rays::Ray;
 
-/// A reader's picture beside ours of the same size.
+/// A reader's picture and ours, which have the same size.
 pub(crate) struct Comparison<'a> {
     pub target: &'a Target,
-    /// Pixels that are wrong, at least one, scattered over the picture.
+    /// The pixels that differ, at least one. The first ones are scattered over the picture.
     pub wrong: Vec<Pixel>,
     pub right: Vec<Pixel>,
-    /// A wrong pixel that is off most.
+    /// The wrong pixel with the largest difference.
     pub farthest: Pixel,
 }
 
 /// A pixel of the reader's picture and of ours.
 #[derive(Clone, Copy)]
 pub(crate) struct Pixel {
-    /// Column and row.
-    pub place: (u32, u32),
-    /// The ray of our camera.
+    /// The column and the row.
+    pub position: (u32, u32),
+    /// The ray of our camera through it.
     pub ray: Ray,
-    /// The hit that ours shows, None where it shows the sky.
+    /// The hit that our picture shows there, or None if it shows the sky.
     pub hit: Option<ObjectHit>,
     pub yours: [u8; 3],
     pub ours: [u8; 3],
 }
 
 impl Pixel {
-    /// How far the channel is apart that differs most.
+    /// The difference of the channel that differs most.
     pub fn largest_difference(&self) -> u8 {
         largest_channel_difference(&Rgb(self.yours), &Rgb(self.ours))
     }
 }
 
 impl<'a> Comparison<'a> {
-    /// Compares a picture with a target; None where their sizes differ, or no pixel does.
+    /// Compares a picture with a target. Returns None if the sizes differ, or if no pixel does.
     pub fn new(target: &'a Target, yours: &RgbImage) -> Option<Self> {
-        let Target { drawing, picture: ours, .. } = target;
+        let Target { scene, picture: ours, .. } = target;
         let (columns, rows) = ours.dimensions();
         if yours.dimensions() != (columns, rows) {
             return None;
@@ -46,33 +48,34 @@ impl<'a> Comparison<'a> {
         let camera = camera_with_size(columns, rows);
         let pixel = |(i, j): (u32, u32)| {
             let ray = camera.ray(i.into(), j.into());
-            let hit = drawing.as_ref().and_then(|drawing| drawing.visible_hit(&ray));
+            let hit = scene.as_ref().and_then(|scene| scene.visible_hit(&ray));
             let [yours, ours] = [yours, ours].map(|picture| picture.get_pixel(i, j).0);
-            Pixel { place: (i, j), ray, hit, yours, ours }
+            Pixel { position: (i, j), ray, hit, yours, ours }
         };
-        let pixels = scattered_places((columns, rows)).map(pixel);
+        let pixels = scattered_positions((columns, rows)).map(pixel);
         let (right, wrong): (Vec<_>, Vec<_>) = pixels.partition(|one| one.yours == one.ours);
         let farthest = *wrong.iter().max_by_key(|one| one.largest_difference())?;
         Some(Self { target, wrong, right, farthest })
     }
 
-    /// All pixels, first those that are wrong, so that what doesn't give them fails soon.
+    /// All pixels. The wrong ones come first, so that a cause that doesn't give them is ruled out
+    /// soon.
     pub fn pixels(&self) -> impl Iterator<Item = &Pixel> {
         self.wrong.iter().chain(&self.right)
     }
 }
 
-/// Column and row of every pixel, in an order that soon comes to each part of the picture.
-pub(crate) fn scattered_places(size: (u32, u32)) -> impl Iterator<Item = (u32, u32)> {
+/// The column and row of every pixel, in an order that soon reaches each part of the picture.
+pub(crate) fn scattered_positions(size: (u32, u32)) -> impl Iterator<Item = (u32, u32)> {
     let (columns, count) = (u64::from(size.0), u64::from(size.0) * u64::from(size.1));
-    // 7919 is a prime, so it visits every place unless it divides the count.
+    // 7919 is a prime, so it visits every position unless it divides the count.
     let stride = if count.is_multiple_of(7919) { 1 } else { 7919 };
-    let place = move |n: u64| n * stride % count;
-    (0..count).map(move |n| ((place(n) % columns) as u32, (place(n) / columns) as u32))
+    let index = move |n: u64| n * stride % count;
+    (0..count).map(move |n| ((index(n) % columns) as u32, (index(n) / columns) as u32))
 }
 
-/// Rays that may still be computed, or pixels compared, to try something: the bound of its time,
-/// the same on every machine.
+/// How many rays may still be computed, or pixels compared. It limits the time, and unlike a clock
+/// it is the same on every machine.
 pub(crate) struct Budget(Cell<u32>);
 
 impl Budget {
@@ -84,16 +87,16 @@ impl Budget {
         self.0.get() == 0
     }
 
-    /// Takes a cost from the budget; false where it doesn't suffice.
+    /// Takes a cost from the budget. Returns false if it isn't enough, which also spends the rest.
     pub fn spend(&self, cost: u32) -> bool {
         let rest = self.0.get().checked_sub(cost);
         self.0.set(rest.unwrap_or(0));
         rest.is_some()
     }
 
-    /// Whether something is so of all items, each of which has this cost; false where the budget
-    /// doesn't suffice. What refutes it is asked first the next time.
-    pub fn all<T>(&self, items: &mut [T], cost: u32, is_so: impl Fn(&T) -> bool) -> bool {
+    /// Whether `is_so` holds for every item, at this cost each. Returns false if the budget runs
+    /// out. The first counterexample moves to the front, so that the next call fails fast.
+    pub fn holds_for_all<T>(&self, items: &mut [T], cost: u32, is_so: impl Fn(&T) -> bool) -> bool {
         let refuting = items.iter().position(|item| !self.spend(cost) || !is_so(item));
         if let Some(k) = refuting {
             items[..=k].rotate_right(1);
@@ -114,7 +117,7 @@ mod tests {
         assert!(budget.spend(3) && !budget.is_spent());
         assert!(budget.spend(2) && budget.is_spent());
         assert!(!budget.spend(1));
-        // What it doesn't suffice for takes the rest.
+        // A cost that is too high spends the rest.
         let budget = Budget::new(5);
         assert!(!budget.spend(6) && budget.is_spent());
     }
@@ -123,29 +126,47 @@ mod tests {
     fn item_that_refutes_comes_first_the_next_time() {
         let mut items = [1, 2, 3, 4];
         let budget = Budget::new(100);
-        assert!(!budget.all(&mut items, 10, |item| *item != 3));
+        assert!(!budget.holds_for_all(&mut items, 10, |item| *item != 3));
         assert_eq!(items, [3, 1, 2, 4]);
-        assert!(!budget.all(&mut items, 10, |item| *item != 3));
+        assert!(!budget.holds_for_all(&mut items, 10, |item| *item != 3));
         assert_eq!(items, [3, 1, 2, 4]);
-        assert!(budget.all(&mut items, 15, |item| *item < 5));
+        assert!(budget.holds_for_all(&mut items, 15, |item| *item < 5));
         assert!(budget.is_spent());
-        assert!(!budget.all(&mut items, 1, |_| true));
-        assert!(Budget::new(4).all(&mut items, 1, |_| true));
-        assert!(!Budget::new(3).all(&mut items, 1, |_| true));
+        assert!(!budget.holds_for_all(&mut items, 1, |_| true));
+        assert!(Budget::new(4).holds_for_all(&mut items, 1, |_| true));
+        assert!(!Budget::new(3).holds_for_all(&mut items, 1, |_| true));
     }
 
     #[test]
-    fn scattered_places_are_each_place_once() {
+    fn scattered_positions_are_each_position_once() {
         for (columns, rows) in [(640, 360), (64, 36), (7919, 2), (1, 1)] {
-            let places: Vec<_> = scattered_places((columns, rows)).collect();
-            let different: BTreeSet<_> = places.iter().collect();
-            assert_eq!(places.len(), (columns * rows) as usize);
-            assert_eq!(different.len(), places.len());
-            assert!(places.iter().all(|(i, j)| *i < columns && *j < rows));
+            let positions: Vec<_> = scattered_positions((columns, rows)).collect();
+            let different: BTreeSet<_> = positions.iter().collect();
+            assert_eq!(positions.len(), (columns * rows) as usize);
+            assert_eq!(different.len(), positions.len());
+            assert!(positions.iter().all(|(i, j)| *i < columns && *j < rows));
         }
-        // Among the first hundred, all ninths of a picture.
-        let first = scattered_places((640, 360)).take(100);
+        // The first hundred are in all ninths of a picture.
+        let first = scattered_positions((640, 360)).take(100);
         let ninths: BTreeSet<_> = first.map(|(i, j)| (i / 214, j / 120)).collect();
         assert_eq!(ninths.len(), 9);
+    }
+
+    #[test]
+    fn pixels_are_right_or_wrong_and_the_farthest_is_wrong_most() {
+        let ours = RgbImage::from_pixel(4, 3, Rgb([9, 9, 9]));
+        let target = Target::of_locked("rings", ours.clone());
+        assert!(Comparison::new(&target, &ours).is_none());
+        assert!(Comparison::new(&target, &RgbImage::new(3, 4)).is_none());
+        let mut yours = ours;
+        yours[(1, 2)] = Rgb([9, 8, 9]);
+        yours[(3, 0)] = Rgb([9, 9, 19]);
+        let comparison = Comparison::new(&target, &yours).expect("a different picture");
+        assert_eq!((comparison.wrong.len(), comparison.right.len()), (2, 10));
+        assert_eq!(comparison.farthest.position, (3, 0));
+        assert_eq!(comparison.farthest.largest_difference(), 10);
+        let first_two = comparison.pixels().take(2);
+        assert!(first_two.into_iter().all(|pixel| pixel.yours != pixel.ours));
+        assert_eq!(comparison.pixels().count(), 12);
     }
 }

@@ -1,158 +1,226 @@
-use crate::answer::{Cause, join_first};
+//! The answer about a picture that is not the one that it should be.
+
+use crate::answer::{Cause, OptionDoubts, join_first};
 use crate::camera_fit::find_cameras;
 use crate::changed_number::find_changed_numbers;
 use crate::comparison::{Budget, Comparison};
-use crate::facts::tell_facts;
-use crate::listed_mistake::find_listed_mistakes;
+use crate::facts::find_facts;
 use crate::other_options::{Options, find_options};
-use crate::target::{Target, find_equal};
+use crate::reader_picture::ReaderPicture;
+use crate::target::Target;
 use crate::transformed::{describe_whole, uniform_colour};
 use crate::wrong_pixel::describe_wrong_pixel;
 use crate::{Answer, Verdict};
-use course::Step;
-use image::RgbImage;
+use course::{Mistake, Step};
 
+/// The most causes that an answer names.
 const MOST_CAUSES: usize = 3;
 
-/// Said of exercises, whose options can't be found.
-const WITHOUT_OPTIONS: &str =
-    "Ours is drawn without options: with some, a right program may draw another picture, too.\n";
+/// The most lines of a diff that an answer shows.
+const MOST_DIFF_LINES: usize = 4;
+
+/// The file whose mistakes are other options, such as a different default.
+const OPTIONS_FILE: &str = "steps/step01_rays/src/program.rs";
+
+/// A line for exercises, whose options can't be found.
+const EXERCISE_NOTE: &str =
+    "Ours is drawn without options: with some, a right program may draw a different picture.";
 
 const TESTS: &str = "cargo test --no-fail-fast --test by_hand";
 
 /// How many rays may be computed to try changes.
 const RAYS: u32 = 4_000_000;
 
-/// Says what is known of a picture that isn't the one it should be.
-pub(crate) fn explain(yours: &RgbImage, target: &Target) -> Answer {
+/// Explains how a picture differs from the target, and by what cause if one is known.
+pub(crate) fn explain(yours: &ReaderPicture, target: &Target) -> Answer {
     let title = &target.title;
-    let listed = target.name.as_ref().map(|name| find_listed_mistakes(yours, name));
-    let mut causes = listed.unwrap_or_default();
-    let options = target.drawing.as_ref().and_then(|drawing| find_options(drawing, yours));
-    // An angle that hardly anybody types comes after a listed mistake.
+    let mistakes = target.name.as_ref().map(|name| yours.find_mistakes_in(name));
+    let mistakes = mistakes.unwrap_or_default();
+    let options = target.scene.as_ref().and_then(|scene| find_options(scene, &yours.rgb));
+    // A listed mistake is likelier than an angle that hardly anybody would type.
     if let Some(options) = &options
-        && (options.is_plain_angle() || causes.is_empty())
+        && (options.is_plain_angle() || mistakes.is_empty())
     {
-        return Answer::new(Verdict::OtherOptions, options.describe(title));
+        return answer_with_options(options, title, mistakes);
     }
-    let comparison = Comparison::new(target, yours);
-    let ((w, h), (columns, rows)) = (yours.dimensions(), target.picture.dimensions());
-    let size = format!("Your picture is {w}×{h} pixels, and {title} {columns}×{rows}.\n");
-    let mut whole = match find_equal(yours) {
-        Some(name) => format!("This is the picture of {name}, not {title}.\n"),
-        None => describe_whole(yours, &target.picture, title),
+    let comparison = Comparison::new(target, &yours.rgb);
+    let whole = match yours.find_equal() {
+        Some(name) => Some(format!("This is the picture of {name}, not {title}.")),
+        None => describe_whole(&yours.rgb, &target.picture, title),
     };
-    let is_unexplained = whole.is_empty();
-    let is_other_size = comparison.is_none() && (is_unexplained || uniform_colour(yours).is_some());
-    if is_other_size {
-        whole.insert_str(0, &size);
-    }
-    if whole.is_empty() {
+    let mut causes: Vec<_> = mistakes.into_iter().map(Cause::Mistake).collect();
+    if whole.is_none() {
         causes.extend(comparison.iter().flat_map(find_changes));
     }
-    let cause_lines = describe_causes(&causes, options.as_ref());
-    let has_facts = whole.is_empty() && causes.is_empty();
-    let facts = comparison.as_ref().filter(|_| has_facts).map(tell_facts).unwrap_or_default();
-    let details = comparison.as_ref().map(|one| details(one, &facts)).unwrap_or_default();
-    let is_exercise = target.drawing.is_none() && (is_unexplained || is_other_size);
-    let note = if is_exercise { WITHOUT_OPTIONS } else { "" };
-    // A cause helps most, then how the whole picture differs, then a fact. Whether it's only by 1
-    // of 255 is in the first of the details.
-    let is_by_1 = comparison.as_ref().is_some_and(|one| one.farthest.largest_difference() == 1);
-    let fact_lines = if is_by_1 { String::new() } else { facts.join("\n") };
-    let parts = [&cause_lines, &whole, &fact_lines, &details];
-    let feedback = parts.iter().find_map(|part| part.lines().next()).unwrap_or_default();
-    let feedback = feedback.to_owned();
-    let text = format!("Not right. {whole}{cause_lines}{details}{note}").trim_end().to_owned();
-    let compared = comparison.map(|_| [yours.clone(), target.picture.clone()]);
-    Answer { causes, compared, feedback, ..Answer::new(Verdict::NotRight, text) }
+    let is_explained = whole.is_some() || !causes.is_empty();
+    // What helps most comes first: a cause, then how the whole picture differs, then facts.
+    let mut lines = describe_causes(&causes, options.as_ref());
+    let says_size =
+        comparison.is_none() && (whole.is_none() || uniform_colour(&yours.rgb).is_some());
+    if says_size {
+        let ((w, h), (columns, rows)) = (yours.rgb.dimensions(), target.picture.dimensions());
+        lines.push(format!("Your picture is {w}×{h} pixels, and {title} {columns}×{rows}."));
+    }
+    let is_exercise = target.scene.is_none();
+    let may_have_options = is_exercise && (whole.is_none() || says_size);
+    lines.extend(whole);
+    lines.extend(comparison.iter().flat_map(|comparison| {
+        let facts = if is_explained { vec![] } else { find_facts(comparison) };
+        describe_comparison(comparison, facts)
+    }));
+    if may_have_options {
+        lines.push(EXERCISE_NOTE.to_owned());
+    }
+    let headline = lines.remove(0);
+    Answer { details: lines, causes, ..Answer::new(Verdict::NotRight, headline) }
 }
 
-/// All numbers and cameras that we know and that give the whole picture; none where not all
-/// could be tried.
+/// The answer about a picture that a right program draws with other options.
+fn answer_with_options(
+    options: &Options,
+    title: &str,
+    mut mistakes: Vec<&'static Mistake>,
+) -> Answer {
+    mistakes.retain(|mistake| mistake.file != OPTIONS_FILE);
+    let is_one_colour = options.is_one_colour();
+    Answer {
+        details: options.details(),
+        option_doubts: OptionDoubts { mistakes, is_one_colour },
+        ..Answer::new(Verdict::OtherOptions, options.headline(title))
+    }
+}
+
+/// All numbers of the scene and all cameras that give the whole picture, of those we try. Returns
+/// none if not all could be tried, since the missing ones might give it, too.
 fn find_changes(comparison: &Comparison) -> Vec<Cause> {
-    let Some(drawing) = &comparison.target.drawing else { return vec![] };
+    let Some(scene) = &comparison.target.scene else { return vec![] };
     let budget = Budget::new(RAYS);
-    let causes = |all: Vec<String>, step| {
-        let causes = all.into_iter();
-        causes.map(move |words| Cause { words, step, file: None, details: String::new() })
-    };
-    let numbers = causes(find_changed_numbers(comparison, drawing, &budget), None);
-    let cameras = causes(find_cameras(comparison, drawing, &budget), Some(Step::Rays));
-    let all = numbers.chain(cameras).collect();
-    if budget.is_spent() { vec![] } else { all }
+    let numbers = find_changed_numbers(comparison, scene, &budget).into_iter();
+    let cameras = find_cameras(comparison, scene, &budget).into_iter();
+    let causes = numbers.map(Cause::SceneNumber).chain(cameras.map(Cause::Camera)).collect();
+    if budget.is_spent() { vec![] } else { causes }
 }
 
-/// Lines about causes: as many as there is room for, the files of all, and the first in full. Options
-/// with which a right program draws the picture are as good an explanation.
-fn describe_causes(causes: &[Cause], options: Option<&Options>) -> String {
-    let Some(first) = causes.first() else { return String::new() };
-    let is_listed = causes.iter().all(|cause| cause.file.is_some());
+/// Lines about causes: a sentence that names the first ones, and the files of all, then the first
+/// in full. Options with which a right program draws the picture explain it just as well.
+fn describe_causes(causes: &[Cause], options: Option<&Options>) -> Vec<String> {
+    let Some(first) = causes.first() else { return vec![] };
+    let is_listed = causes.iter().all(|cause| matches!(cause, Cause::Mistake(_)));
     let start = match (is_listed, causes.len()) {
         (true, 1) => "A listed mistake gives",
         (true, _) => "Each of these listed mistakes gives",
         (false, 1) => "A change gives",
         (false, _) => "Each of these changes gives",
     };
-    let words = causes.iter().map(Cause::words_and_file).collect();
+    let words = causes.iter().map(Cause::to_string).collect();
     let mut words = join_first(words, MOST_CAUSES, "; ");
-    let (told, more) = causes.split_at(causes.len().min(MOST_CAUSES));
-    let mut files: Vec<_> = more.iter().filter_map(|cause| cause.file.as_deref()).collect();
+    let (named, more) = causes.split_at(causes.len().min(MOST_CAUSES));
+    let mut files: Vec<_> = more.iter().filter_map(Cause::file).collect();
     files.sort_unstable();
     files.dedup();
-    files.retain(|file| told.iter().all(|cause| cause.file.as_deref() != Some(file)));
+    files.retain(|file| named.iter().all(|cause| cause.file() != Some(file)));
     if !files.is_empty() {
         words += &format!(", also in {}", files.join(", "));
     }
-    let details = &first.details;
     let options = options.map(|options| format!(" {}", options.same_picture_sentence()));
     let options = options.unwrap_or_default();
-    format!("{start} this very picture, as others may: {words}.{options}\n{details}")
+    let mut lines = vec![format!("{start} this very picture (others may, too): {words}.{options}")];
+    if let Cause::Mistake(mistake) = first {
+        lines.extend(describe_mistake(mistake));
+    }
+    lines
 }
 
-/// Lines on a picture of the right size: how many pixels differ; the facts, if nothing explains it;
-/// the tests by hand of the steps that draw it, any of which may be wrong; one pixel.
-fn details(comparison: &Comparison, facts: &[String]) -> String {
+/// Lines about a listed mistake: its diff, if it is short, and, if the book shows the mistake, why
+/// it is wrong and which section to read.
+fn describe_mistake(mistake: &Mistake) -> Vec<String> {
+    let diff = mistake.old_and_new_lines();
+    let mut lines: Vec<_> = diff.lines().map(|line| format!("  {line}")).collect();
+    if lines.len() > MOST_DIFF_LINES {
+        lines.clear();
+    }
+    if let Some(shown) = &mistake.shown {
+        lines.push(shown.reason.to_owned());
+        lines.push(format!("See step {}, \"{}\".", mistake.step.number(), shown.section));
+    }
+    lines
+}
+
+/// Lines about a picture of the right size: the facts, how many pixels differ, the tests by hand of
+/// the steps that draw it, any of which may be wrong, and one pixel.
+fn describe_comparison(comparison: &Comparison, facts: Vec<String>) -> Vec<String> {
     let Comparison { target, wrong, right, farthest } = comparison;
-    let mut text = format!(
-        "{} of {} pixels {} from {}, by up to {} of 255.\n",
+    let count = format!(
+        "{} of {} pixels {} from {}, by up to {} of 255.",
         wrong.len(),
         wrong.len() + right.len(),
         if wrong.len() == 1 { "differs" } else { "differ" },
         target.title,
         farthest.largest_difference()
     );
-    text.extend(facts.iter().flat_map(|fact| [fact, "\n"]));
-    if let Some(drawing) = &target.drawing {
-        // Even where the sky is right, the camera may be off by a little, and rgb8 or Ray::at wrong.
-        let steps = match drawing.step {
+    // If pixels are off by 1 only, that says more than any fact.
+    let (before, after) =
+        if farthest.largest_difference() == 1 { (vec![], facts) } else { (facts, vec![]) };
+    let mut lines = [before, vec![count], after].concat();
+    if let Some(scene) = &target.scene {
+        // Even if the sky is right, the camera may be off by a little, and rgb8 or Ray::at wrong.
+        let steps = match scene.step {
             Step::Rays => "step 1".to_owned(),
             Step::Sphere => "steps 1 and 2".to_owned(),
             step => format!("steps 1 to {}", step.number()),
         };
-        text += &format!("The tests by hand of {steps} may find it: {TESTS}\n");
+        lines.push(format!("The tests by hand of {steps} may find it: {TESTS}"));
     }
-    text + &describe_wrong_pixel(comparison)
+    lines.extend(describe_wrong_pixel(comparison).lines().map(str::to_owned));
+    lines
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use course::ShownMistake;
+
+    fn mistake(title: &'static str, file: &str) -> Mistake {
+        Mistake {
+            title,
+            step: Step::Sphere,
+            file: file.to_owned(),
+            old: "a".to_owned(),
+            new: "b".to_owned(),
+            shown: None,
+        }
+    }
+
+    fn cause(title: &'static str, file: &str) -> Cause {
+        Cause::Mistake(Box::leak(Box::new(mistake(title, file))))
+    }
 
     #[test]
     fn files_of_all_causes_are_named_once() {
-        let cause = |words: &str, file: Option<&str>| Cause {
-            words: words.to_owned(),
-            step: None,
-            file: file.map(str::to_owned),
-            details: format!("Details of {words}.\n"),
-        };
-        let listed = ["a.rs", "b.rs", "a.rs", "c.rs", "b.rs", "c.rs"].into_iter().zip(1..);
-        let listed = listed.map(|(file, number)| cause(&format!("slip {number}"), Some(file)));
-        let listed: Vec<_> = listed.collect();
-        let number = cause("another number", None);
+        let listed = [
+            cause("slip 1", "a.rs"),
+            cause("slip 2", "b.rs"),
+            cause("slip 3", "a.rs"),
+            cause("slip 4", "c.rs"),
+            cause("slip 5", "b.rs"),
+            cause("slip 6", "c.rs"),
+        ];
+        let number = Cause::SceneNumber("another number".to_owned());
         let both = [listed[0].clone(), number];
         let all = [&listed[..], &listed[..1], &both[1..], &both[..], &[]];
-        insta::assert_snapshot!(all.map(|causes| describe_causes(causes, None)).join("\n"));
+        insta::assert_snapshot!(
+            all.map(|causes| describe_causes(causes, None).join("\n")).join("\n\n")
+        );
+    }
+
+    #[test]
+    fn mistake_is_shown_with_its_diff_if_short_and_its_reason_if_any() {
+        let short = mistake("slip", "a.rs");
+        assert_eq!(describe_mistake(&short), ["  - a", "  + b"]);
+        let four_lines = "b\nb\nb\nb".to_owned();
+        let shown =
+            ShownMistake { pictures: vec![], reason: "It is b.", section: "Letters", effect: "" };
+        let long = Mistake { new: four_lines, shown: Some(shown), ..short };
+        assert_eq!(describe_mistake(&long), ["It is b.", "See step 2, \"Letters\"."]);
     }
 }

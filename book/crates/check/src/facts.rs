@@ -1,7 +1,11 @@
-use crate::byte_facts::{byte_curve, byte_facts, byte_map, one_colour_sentence};
+//! What is true of the wrong pixels, whatever the cause.
+
+use crate::byte_facts::{
+    byte_curve_sentence, byte_map_sentence, byte_sentences, one_colour_sentence,
+};
 use crate::comparison::{Comparison, Pixel};
-use crate::drawing::Drawing;
 use crate::regions::{count_regions, hidden_sentence, region_sentence};
+use crate::step_scene::StepScene;
 use crate::undrawn::undrawn_sentence;
 use course::Step;
 use std::collections::BTreeSet;
@@ -9,35 +13,36 @@ use step01_rays::rgb8;
 
 const MOST_FACTS: usize = 3;
 
-/// How many pixels, and how many right colours of theirs, a sentence on each of them needs: of
-/// fewer, much is true by chance.
+/// A sentence about each wrong pixel needs this many wrong pixels, with this many different colours
+/// in our picture. Of fewer, too much is true by chance.
 const LEAST_PIXELS: usize = 16;
 const LEAST_COLOURS: usize = 4;
 
-/// Sentences that are true of the wrong pixels, the strongest first; then one on where they are.
-pub(crate) fn tell_facts(comparison: &Comparison) -> Vec<String> {
-    let drawing = comparison.target.drawing.as_ref();
-    let regions = drawing.map(|drawing| count_regions(comparison, drawing));
+/// Sentences that are true of the wrong pixels, the strongest first, and then one about where those
+/// pixels are.
+pub(crate) fn find_facts(comparison: &Comparison) -> Vec<String> {
+    let scene = comparison.target.scene.as_ref();
+    let regions = scene.map(|scene| count_regions(comparison, scene));
     let is_varied = is_varied(&comparison.wrong);
-    let varied = drawing.filter(|_| is_varied);
-    // Light that is too strong makes areas white, and a curve says more of them.
-    let curve = varied.and_then(|drawing| {
-        byte_curve(comparison, drawing).or_else(|| byte_map(comparison, drawing))
+    let varied = scene.filter(|_| is_varied);
+    // Light that is too strong makes areas white, and a curve says more about those.
+    let curve = varied.and_then(|scene| {
+        byte_curve_sentence(comparison, scene).or_else(|| byte_map_sentence(comparison, scene))
     });
     let undrawn = if curve.is_none() { undrawn_sentence(comparison) } else { None };
     let mut facts: Vec<_> = undrawn.into_iter().collect();
     if facts.is_empty() {
         facts.extend(curve);
         facts.extend(regions.as_deref().and_then(hidden_sentence));
-        if let Some(drawing) = varied {
-            if are_above_1(&comparison.wrong, drawing) {
+        if let Some(scene) = varied {
+            if are_above_1(&comparison.wrong, scene) {
                 facts.push("Each wrong pixel has an intensity above 1 in ours.".to_owned());
             }
-            facts.extend(missing_light(&comparison.wrong, drawing));
+            facts.extend(missing_light_sentence(&comparison.wrong, scene));
         }
         if is_varied {
             facts.extend(one_colour_sentence(&comparison.wrong));
-            facts.extend(byte_facts(comparison));
+            facts.extend(byte_sentences(comparison));
         }
         facts.truncate(MOST_FACTS);
     }
@@ -45,37 +50,38 @@ pub(crate) fn tell_facts(comparison: &Comparison) -> Vec<String> {
     facts
 }
 
-/// Whether wrong pixels are many, and differ in ours.
+/// Whether there are many wrong pixels, with different colours in our picture.
 fn is_varied(wrong: &[Pixel]) -> bool {
     let colours: BTreeSet<_> = wrong.iter().map(|pixel| pixel.ours).collect();
-    LEAST_PIXELS <= wrong.len() && LEAST_COLOURS <= colours.len()
+    wrong.len() >= LEAST_PIXELS && colours.len() >= LEAST_COLOURS
 }
 
-/// Whether each pixel is brighter in ours than a byte can tell.
-fn are_above_1(pixels: &[Pixel], drawing: &Drawing) -> bool {
-    pixels.iter().all(|one| 1.0 < drawing.colour(&one.ray).max_element())
+/// Whether each pixel has an intensity in our picture that no byte can hold.
+fn are_above_1(pixels: &[Pixel], scene: &StepScene) -> bool {
+    pixels.iter().all(|one| scene.colour(&one.ray).max_element() > 1.0)
 }
 
-/// A sentence about the least light of ours without which it is yours in each wrong pixel.
-fn missing_light(wrong: &[Pixel], drawing: &Drawing) -> Option<String> {
-    let names_of = |term| drawing.light_names.map(|one| format!("the {term} term of {one}"));
+/// A sentence about the light that is missing from each wrong pixel, if our sum without some of its
+/// terms gives your colour there. It names as few terms as possible.
+fn missing_light_sentence(wrong: &[Pixel], scene: &StepScene) -> Option<String> {
+    let names_of = |term| scene.light_names.map(|one| format!("the {term} term of {one}"));
     let ambient = ["the ambient term".to_owned()];
     let names = [&ambient[..], &names_of("diffuse"), &names_of("specular")].concat();
-    let count = match drawing.step {
+    let count = match scene.step {
         Step::Diffuse => 3,
         Step::Phong => 5,
         _ => return None,
     };
     let is_left_out = |choice: usize, k: usize| choice >> k & 1 == 1;
-    // Without all of them, it would be black.
+    // Without any term, each pixel would be black.
     let mut choices: Vec<usize> = (1..(1 << count) - 1).collect();
     choices.sort_by_key(|choice| choice.count_ones());
-    let lights = &drawing.own.scene.lights;
+    let lights = &scene.own.scene.lights;
     let choice = choices.into_iter().find(|choice| {
         wrong.iter().all(|Pixel { ray, hit, yours, .. }| {
             let Some(hit) = *hit else { return false };
-            let ambient = drawing.ambient_at_hit(hit);
-            let [warm, cool] = [0, 1].map(|k| drawing.light_terms_at_hit(ray, hit, &lights[k]));
+            let ambient = scene.ambient_at_hit(hit);
+            let [warm, cool] = [0, 1].map(|k| scene.light_terms_at_hit(ray, hit, &lights[k]));
             let terms = [ambient, warm.diffuse, cool.diffuse, warm.specular, cool.specular];
             let kept = (0..count).filter(|k| !is_left_out(*choice, *k));
             rgb8(kept.map(|k| terms[k]).sum()).0 == *yours
@@ -84,4 +90,25 @@ fn missing_light(wrong: &[Pixel], drawing: &Drawing) -> Option<String> {
     let names = (0..count).filter(|k| is_left_out(choice, *k)).map(|k| &*names[k]);
     let names = names.collect::<Vec<_>>().join(" and ");
     Some(format!("Each wrong pixel is ours without {names}."))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn pixel(ours: [u8; 3]) -> Pixel {
+        let ray = course::camera().ray(0.0, 0.0);
+        Pixel { position: (0, 0), ray, hit: None, yours: [0; 3], ours }
+    }
+
+    #[test]
+    fn pixels_are_varied_if_they_are_many_and_differ() {
+        let pixels = |count: u8, colours: u8| {
+            let pixels = (0..count).map(|k| pixel([k % colours, 0, 0]));
+            pixels.collect::<Vec<_>>()
+        };
+        assert!(is_varied(&pixels(16, 4)));
+        assert!(!is_varied(&pixels(15, 4)));
+        assert!(!is_varied(&pixels(16, 3)));
+    }
 }

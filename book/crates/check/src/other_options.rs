@@ -1,59 +1,59 @@
 //! Options of the programs (`--width`, `--aspect`, `--fov`, `--samples`) with which a right program
 //! draws the reader's picture.
 
-use crate::comparison::{Budget, scattered_places};
-use crate::drawing::Drawing;
+use crate::comparison::{Budget, scattered_positions};
+use crate::step_scene::StepScene;
 use crate::transformed::uniform_colour;
 use image::RgbImage;
 use std::iter;
 use step01_rays::{Camera, mean_colour, rgb8, sub_pixel_offsets};
 
-/// Columns and rows of a picture without options.
+/// The columns and rows of a picture that is drawn without options.
 const DEFAULT_SIZE: (u32, u32) = (640, 360);
 
-/// How many rays are drawn to compare a picture with some options; with all that come into
-/// question, twice as many.
+/// The most rays that are drawn to compare a picture with one choice of options. All choices
+/// together may use twice as many.
 const RAYS: u32 = 1 << 23;
 
-/// How many rays are drawn to find those that come into question.
+/// The most rays that are drawn to rule out choices of options.
 const PROBE_RAYS: u32 = 6_000_000;
 
-/// How many pixels refute most options, before all are compared.
+/// This many pixels rule out most choices, before all pixels are compared.
 const PROBES: usize = 200;
 
-/// How far rounding may move an intensity of the sky, in parts of a byte.
+/// How far rounding may move a byte of the sky.
 const ROUNDING: f64 = 1e-6;
 
-/// How far the mean of a pixel of one object may be from its centre, in bytes, and the least
-/// columns of a picture of which that is so.
+/// How far the mean of a pixel that shows one object may be from the colour at its centre, and the
+/// least columns that a picture needs for this to be so.
 const OBJECT_TOLERANCE: f64 = 64.0;
 const COARSE_COLUMNS: u32 = 64;
 
-/// One of so many bytes on the border may be that of an object that is as blue as the sky.
+/// One in this many bytes on the border may belong to an object that is as blue as the sky.
 const BYTES_PER_OBJECT_BYTE: i32 = 20;
 
-/// How far the bounds of an angle may be apart so that four decimals are tried.
+/// Angles with four decimals are tried if the bounds of the angle are closer than this.
 const MOST_DEGREES_FOR_FOUR_DECIMALS: f64 = 1.0;
 
-/// The options of a picture that a right program draws with them.
+/// Options with which a right program draws the reader's picture.
 pub(crate) struct Options {
     size: (u32, u32),
     fov_degrees: f64,
     samples: u32,
-    /// How many pixels were compared; all, unless there are many rays.
+    /// How many pixels were compared. It is all of them unless that takes too many rays.
     compared: usize,
     /// Whether the picture has one colour, as it has with many options.
-    is_uniform: bool,
+    is_one_colour: bool,
 }
 
 impl Options {
-    /// Whether somebody would type this angle: it has one decimal at most.
+    /// Whether somebody would type this angle, since it has one decimal at most.
     pub fn is_plain_angle(&self) -> bool {
         let tenths = 10.0 * self.fov_degrees;
         tenths == tenths.round()
     }
 
-    /// A sentence that follows one on mistakes that give the same picture.
+    /// A sentence to follow one about mistakes that give the same picture.
     pub fn same_picture_sentence(&self) -> String {
         let (columns, rows) = self.size;
         let mut options = format!("--fov {}", self.fov_degrees);
@@ -72,80 +72,88 @@ impl Options {
         }
     }
 
-    /// Sentences about a picture that is drawn with these options.
-    pub fn describe(&self, title: &str) -> String {
+    /// Whether the picture has one colour, as it has with many options.
+    pub fn is_one_colour(&self) -> bool {
+        self.is_one_colour
+    }
+
+    /// A sentence about a picture that is drawn with these options.
+    pub fn headline(&self, title: &str) -> String {
         let ((columns, rows), samples) = (self.size, self.samples);
         let all = columns as usize * rows as usize;
         let options = format!(
             "{title} at {columns}×{rows} pixels, {}° and {samples}×{samples} rays per pixel",
             self.fov_degrees
         );
-        let equal = match self.compared {
-            _ if self.is_uniform => format!(
-                "As with other options: this is {options}, in every pixel, but one colour tells \
-                 little: further options and mistakes may give it, too."
+        match self.compared {
+            _ if self.is_one_colour => format!(
+                "This is {options}, in every pixel, but one colour says little: further options \
+                 and mistakes may give it, too."
             ),
-            compared if compared < all => format!(
-                "As with other options: {compared} of {all} pixels were compared, and are those \
-                 of {options}."
-            ),
-            _ => format!("Right, with other options: this is {options}, in every pixel."),
-        };
-        format!(
-            "{equal}\n\
-             Ours is drawn with the default options: --width 640 --aspect 16:9 --fov 60 \
-             --samples 1.\n\
-             If you gave no other options, look at how your program reads them, and at its camera."
-        )
+            compared if compared < all => {
+                format!("{compared} of {all} pixels were compared, and are those of {options}.")
+            }
+            _ => format!("This is what a right program draws, in every pixel: {options}."),
+        }
+    }
+
+    /// The lines after the headline.
+    pub fn details(&self) -> Vec<String> {
+        vec![
+            "Ours is drawn with the default options: --width 640 --aspect 16:9 --fov 60 --samples 1."
+                .to_owned(),
+            "If you gave no other options, look at how your program reads them, and at its camera."
+                .to_owned(),
+        ]
     }
 }
 
-/// The plainest options that give a picture, with which a drawing is a right one; None where none
-/// do, or too much would have to be tried.
-pub(crate) fn find_options(drawing: &Drawing, yours: &RgbImage) -> Option<Options> {
+/// Finds the plainest options with which a right program draws this picture of a scene. Returns
+/// None if there are none, or if it would take too many rays to find them.
+pub(crate) fn find_options(scene: &StepScene, yours: &RgbImage) -> Option<Options> {
     let size @ (columns, rows) = yours.dimensions();
     if columns < 2 {
         return None;
     }
     let all_offsets: Vec<_> = (1..=16).map(sub_pixel_offsets).collect();
     let (probe_budget, budget) = (Budget::new(PROBE_RAYS), Budget::new(2 * RAYS));
-    let mut border_probes: Vec<_> = border_places(size).take(PROBES).collect();
-    let mut probes: Vec<_> = scattered_places(size).take(PROBES).collect();
+    let mut border_probes: Vec<_> = border_positions(size).take(PROBES).collect();
+    let mut probes: Vec<_> = scattered_positions(size).take(PROBES).collect();
     for fov_degrees in plain_angles().chain(fine_angles(yours)) {
         let camera = Camera::new(columns, rows, fov_degrees.to_radians());
-        let may_be_right = |place: &_| may_be_right(drawing, &camera, yours, *place);
-        if !probe_budget.all(&mut border_probes, 1, may_be_right) {
+        let may_be_right = |position: &_| may_be_right(scene, &camera, yours, *position);
+        if !probe_budget.holds_for_all(&mut border_probes, 1, may_be_right) {
             continue;
         }
         for (samples, offsets) in (1..).zip(&all_offsets) {
             let rays = samples * samples;
             let is_equal = |&(i, j): &(u32, u32)| {
                 let (x, y) = (f64::from(i), f64::from(j));
-                let ours = mean_colour(offsets, |u, v| drawing.colour(&camera.ray(x + u, y + v)));
+                let ours = mean_colour(offsets, |u, v| scene.colour(&camera.ray(x + u, y + v)));
                 *yours.get_pixel(i, j) == rgb8(ours)
             };
-            if !probe_budget.all(&mut probes, rays, is_equal) {
+            if !probe_budget.holds_for_all(&mut probes, rays, is_equal) {
                 continue;
             }
             let compared = yours.pixels().len().min((RAYS / rays) as usize);
-            let mut places = scattered_places(size).take(compared);
-            if places.all(|place| budget.spend(rays) && is_equal(&place)) {
-                let is_uniform = uniform_colour(yours).is_some();
-                return Some(Options { size, fov_degrees, samples, compared, is_uniform });
+            let mut positions = scattered_positions(size).take(compared);
+            if positions.all(|position| budget.spend(rays) && is_equal(&position)) {
+                let is_one_colour = uniform_colour(yours).is_some();
+                return Some(Options { size, fov_degrees, samples, compared, is_one_colour });
             }
         }
     }
     None
 }
 
-/// Angles in degrees: that of the locked pictures, whole ones, then those with one decimal.
+/// Angles in degrees: the default, then whole ones, then those with one decimal.
 fn plain_angles() -> impl Iterator<Item = f64> {
     let tenths = (1..1800).filter(|number| number % 10 != 0).map(|number| f64::from(number) / 10.0);
     iter::once(60.0).chain((1..180).map(f64::from)).chain(tenths)
 }
 
-/// Angles with two and three decimals, as far as they fit what the upper border of a picture
-/// shows, taken for the sky; those with four, too, where that leaves few.
+/// Angles with two and three decimals that fit the upper border of a picture, if that shows the
+/// sky. If the border leaves only a few angles, those with four decimals come, too.
 fn fine_angles(yours: &RgbImage) -> impl Iterator<Item = f64> {
     let (columns, rows) = yours.dimensions();
     let side = f64::from(columns - 1);
@@ -162,7 +170,7 @@ fn fine_angles(yours: &RgbImage) -> impl Iterator<Item = f64> {
             }
             let tan = |offset: f64| ((f64::from(byte) + offset) / 255.0 - 0.7) / 0.3 / factor;
             let (a, b) = (tan(-0.5 - ROUNDING), tan(0.5 + ROUNDING));
-            if 0.0 <= a.max(b) {
+            if a.max(b) >= 0.0 {
                 intervals.push((a.min(b).max(0.0), a.max(b)));
             }
         }
@@ -178,8 +186,9 @@ fn fine_angles(yours: &RgbImage) -> impl Iterator<Item = f64> {
     })
 }
 
-/// The bounds of the numbers that lie in almost as many intervals as any number does: a few pixels
-/// that are taken for the sky show a highlight. Without intervals, the bounds of all from 0 on.
+/// The bounds of the numbers that lie in almost as many intervals as any number does. It is almost,
+/// since a few of the pixels that are taken for the sky may show a highlight. Without intervals,
+/// all numbers from 0 on are within the bounds.
 fn find_common_bounds(intervals: &[(f64, f64)]) -> (f64, f64) {
     if intervals.is_empty() {
         return (0.0, f64::INFINITY);
@@ -195,27 +204,29 @@ fn find_common_bounds(intervals: &[(f64, f64)]) -> (f64, f64) {
     });
     let counts: Vec<_> = counts.collect();
     let most = counts.iter().copied().max().unwrap_or(0);
-    let is_enough = |count: &i32| most - most / BYTES_PER_OBJECT_BYTE <= *count;
-    // After the last count that is enough, an interval ends.
+    let is_enough = |count: &i32| *count >= most - most / BYTES_PER_OBJECT_BYTE;
+    // The change after the last count that is enough is the end of an interval.
     let first = counts.iter().position(is_enough).unwrap_or(0);
     let last = counts.iter().rposition(is_enough).map_or(0, |k| k + 1);
     (changes[first].0, changes[last].0)
 }
 
-/// Places on the border of a picture, which shows the sky for most angles: its corner first.
-fn border_places((columns, rows): (u32, u32)) -> impl Iterator<Item = (u32, u32)> {
+/// Positions on the border of a picture, beginning at a corner. For most angles, the border shows
+/// the sky.
+fn border_positions((columns, rows): (u32, u32)) -> impl Iterator<Item = (u32, u32)> {
     let downwards = (0..rows).step_by(rows.div_ceil(50) as usize);
     let across = (0..columns).step_by(columns.div_ceil(50) as usize);
     let sides = downwards.flat_map(move |j| [(0, j), (columns - 1, j)]);
     sides.chain(across.flat_map(move |i| [(i, 0), (i, rows - 1)]))
 }
 
-/// Whether a pixel may be right, whatever the samples are. The sky is linear, so that its mean over
-/// a pixel is that of the centre. Within one object, the mean is near to that, if pixels are small.
-fn may_be_right(drawing: &Drawing, camera: &Camera, yours: &RgbImage, (i, j): (u32, u32)) -> bool {
+/// Whether a pixel may be right with some number of samples. The sky is linear, so its mean over a
+/// pixel is its colour at the centre. Within one object, the mean is close to that if pixels are
+/// small.
+fn may_be_right(scene: &StepScene, camera: &Camera, yours: &RgbImage, (i, j): (u32, u32)) -> bool {
     let (x, y) = (f64::from(i), f64::from(j));
-    let seen_at = |(u, v)| drawing.visible_hit(&camera.ray(x + u, y + v)).map(|hit| hit.object);
-    let (intensity, seen) = (drawing.colour(&camera.ray(x, y)), seen_at((0.0, 0.0)));
+    let seen_at = |(u, v)| scene.visible_hit(&camera.ray(x + u, y + v)).map(|hit| hit.object);
+    let (intensity, seen) = (scene.colour(&camera.ray(x, y)), seen_at((0.0, 0.0)));
     let tolerance = match seen {
         None => 0.5 + ROUNDING,
         Some(_) => OBJECT_TOLERANCE,
@@ -228,4 +239,57 @@ fn may_be_right(drawing: &Drawing, camera: &Camera, yours: &RgbImage, (i, j): (u
     let has_edge = || corners.into_iter().any(|corner| seen_at(corner) != seen);
     let is_coarse = seen.is_some() && camera.h_res < COARSE_COLUMNS;
     (0..3).all(is_near) || is_coarse || has_edge()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn bounds_are_those_of_almost_all_intervals() {
+        assert_eq!(find_common_bounds(&[]), (0.0, f64::INFINITY));
+        assert_eq!(find_common_bounds(&[(1.0, 3.0), (2.0, 4.0)]), (2.0, 3.0));
+        assert_eq!(find_common_bounds(&[(1.0, 2.0), (2.0, 4.0)]), (2.0, 2.0));
+        // One in twenty-one doesn't matter.
+        let mut intervals = vec![(1.0, 2.0); 20];
+        intervals.push((5.0, 6.0));
+        assert_eq!(find_common_bounds(&intervals), (1.0, 2.0));
+    }
+
+    #[test]
+    fn plain_angles_come_once_and_the_default_first() {
+        let angles: Vec<_> = plain_angles().collect();
+        assert_eq!((angles[0], angles[1]), (60.0, 1.0));
+        assert_eq!(angles.len(), 1 + 179 + 1799 - 179);
+        assert_eq!(angles.last(), Some(&179.9));
+    }
+
+    #[test]
+    fn border_is_visited_on_all_sides() {
+        let positions: Vec<_> = border_positions((64, 36)).collect();
+        assert!(positions.iter().all(|(i, j)| [0, 63].contains(i) || [0, 35].contains(j)));
+        for corner in [(0, 0), (63, 0), (0, 35)] {
+            assert!(positions.contains(&corner), "{corner:?}");
+        }
+        assert!(border_positions((5000, 5000)).count() <= 200);
+    }
+
+    #[test]
+    fn options_are_named_as_they_are_typed() {
+        let options = |size, samples, compared| Options {
+            size,
+            fov_degrees: 75.5,
+            samples,
+            compared,
+            is_one_colour: false,
+        };
+        let all = options((640, 360), 1, 230_400);
+        assert_eq!(all.same_picture_sentence(), "So does the right program with --fov 75.5.");
+        let some = options((64, 32), 2, 100);
+        let sentence = "So may the right program with --fov 75.5 --width 64 --aspect 64:32 \
+                        --samples 2: 100 of 2048 pixels were compared.";
+        assert_eq!(some.same_picture_sentence(), sentence);
+        assert!(all.is_plain_angle());
+        assert!(!Options { fov_degrees: 75.55, ..all }.is_plain_angle());
+    }
 }

@@ -1,9 +1,12 @@
+//! The picture in a PNG file, and what a file is if it has none.
+
 use image::RgbImage;
 use png::{BitDepth, ColorType, Decoder, DecodingError, Info, Limits, Transformations};
 use std::io::{Cursor, ErrorKind};
 use step01_rays::MOST_PIXELS;
+use thiserror::Error;
 
-/// How PNG files begin.
+/// The first bytes of a PNG file.
 const PNG: &[u8] = b"\x89PNG\r\n\x1a\n";
 
 const COPIED_AS_TEXT: &str =
@@ -14,8 +17,8 @@ const IN_UTF_16: &str = "text in UTF-16, as > writes it in PowerShell; have the 
                          picture itself";
 const WEB_PAGE: &str = "a web page, not the picture on it; save the picture itself";
 
-/// Bytes of files that are no PNG files, from which byte on, and what such a file is; at the end
-/// the beginnings of PNG files that a copy has damaged.
+/// Files that are not PNG files: where certain bytes begin, these bytes, and what the file is. At
+/// the end come PNG files whose first bytes were damaged by a copy.
 const FORMATS: [(usize, &[u8], &str); 26] = [
     (0, b"\xff\xd8\xff", "a JPEG, which has lost details; draw it again as PNG"),
     (8, b"WEBP", "a WebP picture; save it as PNG"),
@@ -45,7 +48,7 @@ const FORMATS: [(usize, &[u8], &str); 26] = [
     (0, b"\xC2\x89PNG", COPIED_AS_TEXT),
 ];
 
-/// The pictures of Netpbm, P1 to P7, and what they are.
+/// What the files of Netpbm are, from P1 to P7.
 const NETPBM: [&str; 7] = [
     "a PBM picture, written as text (P1); save it as PNG",
     "a PGM picture, written as text (P2); save it as PNG",
@@ -56,58 +59,91 @@ const NETPBM: [&str; 7] = [
     "a PAM picture (P7); save it as PNG",
 ];
 
-/// How long the second header of a BMP file may be, from its oldest version to the fifth.
+/// How many bytes the second header of a BMP file may have, in the order of its versions.
 const BMP_HEADERS: [u8; 7] = [12, 40, 52, 56, 64, 108, 124];
 
-/// The most bytes of a file, and the most that a chunk of it is unpacked to.
+/// The most bytes of a file, and the most bytes into which one of its chunks is unpacked.
 pub(crate) const FILE_BYTES: u64 = 1 << 26;
 
-/// The most bytes that are unpacked: of all pixels with alpha and 8 bits.
+/// The most bytes that are unpacked: enough for all pixels with alpha and 8 bits per channel.
 const MOST_BYTES: u64 = 4 * MOST_PIXELS;
 
-pub(crate) struct Picture {
+/// What a PNG file holds.
+pub(crate) struct DecodedPng {
     /// The pixels, without alpha.
     pub rgb: RgbImage,
     /// Whether some pixels are not opaque.
     pub is_transparent: bool,
-    /// Sentences about what kind of file it is, and what was left out.
+    /// A sentence for each thing that is unusual about the file, or that was left out.
     pub notes: Vec<String>,
 }
 
-/// Reads the picture in a PNG file, or says in half a sentence why it can't be read.
-///
-/// The size is looked at before anything is unpacked.
-pub(crate) fn read_png(file: &[u8]) -> Result<Picture, String> {
-    if FILE_BYTES < file.len() as u64 {
-        return Err(too_large_clause(FILE_BYTES));
+/// Why the picture in a file can't be read. Each message is a clause that follows the name of
+/// the file.
+#[derive(Debug, Error)]
+pub enum PngError {
+    /// The file has a different format, or none that is known.
+    #[error("is {0}")]
+    OtherFormat(&'static str),
+    /// The file has more bytes than are read.
+    #[error("is too large: the limit is {} MB", FILE_BYTES >> 20)]
+    TooManyBytes,
+    /// The picture has more pixels than the programs draw.
+    #[error(
+        "is too large: it has {columns}×{rows} pixels, and the limit is 8192×4608 or as many in \
+         another shape"
+    )]
+    TooManyPixels {
+        /// The columns of the picture.
+        columns: u32,
+        /// The rows of the picture.
+        rows: u32,
+    },
+    /// The pixels would take too much memory.
+    #[error(
+        "is too large: with 16 bits per channel, {columns}×{rows} pixels have more than {} MB",
+        MOST_BYTES >> 20
+    )]
+    TooMuchMemory {
+        /// The columns of the picture.
+        columns: u32,
+        /// The rows of the picture.
+        rows: u32,
+    },
+    /// The decoder gave up.
+    #[error("is a damaged PNG file: {}", damage_clause(.0))]
+    Damaged(#[source] DecodingError),
+    /// The decoder returned too few pixels.
+    #[error("has fewer pixels than it says")]
+    MissingPixels,
+}
+
+/// Reads the picture in a PNG file. Checks its size before anything is unpacked.
+pub(crate) fn read_png(file: &[u8]) -> Result<DecodedPng, PngError> {
+    if file.len() as u64 > FILE_BYTES {
+        return Err(PngError::TooManyBytes);
     }
-    if let Some(format_clause) = other_format_clause(file) {
-        return Err(format!("is {format_clause}"));
+    if let Some(format) = find_other_format(file) {
+        return Err(PngError::OtherFormat(format));
     }
     let limits = Limits { bytes: FILE_BYTES as usize };
     let mut decoder = Decoder::new_with_limits(Cursor::new(file), limits);
-    // Palettes become colours, transparent colours alpha, and few bits eight.
+    // Turns palettes into colours, transparent colours into alpha, and fewer bits into eight.
     decoder.set_transformations(Transformations::EXPAND);
     decoder.set_ignore_text_chunk(true);
-    let mut reader = decoder.read_info().map_err(damage_clause)?;
+    let mut reader = decoder.read_info().map_err(PngError::Damaged)?;
     let (columns, rows) = reader.info().size();
-    if MOST_PIXELS < u64::from(columns) * u64::from(rows) {
-        return Err(format!(
-            "is too large: it has {columns}×{rows} pixels, and the limit is 8192×4608 or as many \
-             in another shape"
-        ));
+    if u64::from(columns) * u64::from(rows) > MOST_PIXELS {
+        return Err(PngError::TooManyPixels { columns, rows });
     }
-    // It is None if the number is larger than any memory.
+    // It is None if no memory could be large enough.
     let byte_count = reader.output_buffer_size().unwrap_or(usize::MAX);
-    if MOST_BYTES < byte_count as u64 {
-        return Err(format!(
-            "is too large: with 16 bits per channel, {columns}×{rows} pixels have more than {} MB",
-            MOST_BYTES >> 20
-        ));
+    if byte_count as u64 > MOST_BYTES {
+        return Err(PngError::TooMuchMemory { columns, rows });
     }
     let mut notes = describe_kind(reader.info());
     let mut bytes = vec![0; byte_count];
-    reader.next_frame(&mut bytes).map_err(damage_clause)?;
+    reader.next_frame(&mut bytes).map_err(PngError::Damaged)?;
     let (colour_type, depth) = reader.output_color_type();
     let samples = if depth == BitDepth::Sixteen { round_samples(&bytes) } else { bytes };
     let (rgb, transparent) = split_alpha(samples, colour_type);
@@ -119,11 +155,11 @@ pub(crate) fn read_png(file: &[u8]) -> Result<Picture, String> {
              viewer may show other colours there."
         ));
     }
-    let rgb = RgbImage::from_raw(columns, rows, rgb).ok_or("has fewer pixels than it says")?;
-    Ok(Picture { rgb, is_transparent: 0 < transparent.count, notes })
+    let rgb = RgbImage::from_raw(columns, rows, rgb).ok_or(PngError::MissingPixels)?;
+    Ok(DecodedPng { rgb, is_transparent: transparent.count > 0, notes })
 }
 
-/// Sentences about a kind of PNG file that the programs don't write.
+/// Sentences about features of a PNG file that the programs of the course don't use.
 fn describe_kind(info: &Info) -> Vec<String> {
     let mut notes = vec![];
     if info.color_type == ColorType::Indexed {
@@ -146,7 +182,7 @@ fn describe_kind(info: &Info) -> Vec<String> {
     notes
 }
 
-/// Samples of 8 bits, for those of 16.
+/// Rounds samples of 16 bits to 8.
 fn round_samples(bytes: &[u8]) -> Vec<u8> {
     let round = |pair: &[u8]| {
         let sample = u32::from(pair[0]) << 8 | u32::from(pair[1]);
@@ -159,11 +195,11 @@ fn round_samples(bytes: &[u8]) -> Vec<u8> {
 #[derive(Default)]
 struct Transparent {
     count: usize,
-    /// The number of the first, counted row by row.
+    /// The index of the first, counted row by row.
     first: Option<usize>,
 }
 
-/// Red, green and blue of each pixel, whatever its channels are, and which are not opaque.
+/// Splits samples into red, green and blue of each pixel, and the pixels that are not opaque.
 fn split_alpha(samples: Vec<u8>, colour_type: ColorType) -> (Vec<u8>, Transparent) {
     let mut transparent = Transparent::default();
     let mut note_alpha = |number: usize, alpha: u8| {
@@ -195,13 +231,9 @@ fn split_alpha(samples: Vec<u8>, colour_type: ColorType) -> (Vec<u8>, Transparen
     (rgb, transparent)
 }
 
-pub(crate) fn too_large_clause(most_bytes: u64) -> String {
-    format!("is too large: the limit is {} MB", most_bytes >> 20)
-}
-
-/// Half a sentence, such as `a PDF; save the picture as PNG`: the format of a file by its
-/// first bytes, behind blanks and in any case; None for a PNG file.
-fn other_format_clause(file: &[u8]) -> Option<&'static str> {
+/// Recognises the format of a file by its first bytes, in any case and after any blanks. Returns a
+/// clause such as `a PDF; save the picture as PNG`, or None for a PNG file.
+fn find_other_format(file: &[u8]) -> Option<&'static str> {
     if file.starts_with(PNG) {
         return None;
     }
@@ -219,7 +251,7 @@ fn other_format_clause(file: &[u8]) -> Option<&'static str> {
     }
 }
 
-/// What a picture of Netpbm is: a P, a digit, and a blank or a comment.
+/// What a file of Netpbm is, which begins with a P, a digit, and a blank or a comment.
 fn netpbm_clause(file: &[u8]) -> Option<&'static str> {
     let [b'P', digit, behind, ..] = file else { return None };
     let number = digit.checked_sub(b'1')?;
@@ -235,14 +267,53 @@ fn bmp_clause(file: &[u8]) -> Option<&'static str> {
     is_bmp.then_some("a BMP picture; save it as PNG")
 }
 
-/// Says what a decoder's error means for the file.
-fn damage_clause(error: DecodingError) -> String {
-    let cause = match &error {
+/// What a decoder's error means for the file.
+fn damage_clause(error: &DecodingError) -> &'static str {
+    match error {
         DecodingError::IoError(error) if error.kind() == ErrorKind::UnexpectedEof => {
             "it is truncated; perhaps the copy was incomplete"
         }
-        _ if error.to_string().contains("CRC") => "a checksum is wrong, so some bytes have changed",
+        DecodingError::Format(_) => "some of its bytes are wrong; copy it again",
         _ => "its contents can't be unpacked",
-    };
-    format!("is a damaged PNG file: {cause}")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn samples_of_16_bits_are_rounded_to_8() {
+        let samples = [0, 128, 129, 257, 0x8000, 65_406, 65_407, 65_535];
+        let bytes: Vec<_> = samples.into_iter().flat_map(u16::to_be_bytes).collect();
+        assert_eq!(round_samples(&bytes), [0, 0, 1, 1, 128, 254, 255, 255]);
+    }
+
+    #[test]
+    fn alpha_is_split_off_and_counted() {
+        let (rgb, transparent) = split_alpha(vec![1, 2, 3, 255, 4, 5, 6, 254], ColorType::Rgba);
+        assert_eq!(rgb, [1, 2, 3, 4, 5, 6]);
+        assert_eq!((transparent.count, transparent.first), (1, Some(1)));
+        let (rgb, transparent) = split_alpha(vec![7, 0, 8, 0], ColorType::GrayscaleAlpha);
+        assert_eq!(rgb, [7, 7, 7, 8, 8, 8]);
+        assert_eq!((transparent.count, transparent.first), (2, Some(0)));
+        let (rgb, transparent) = split_alpha(vec![7, 8], ColorType::Grayscale);
+        assert_eq!(rgb, [7, 7, 7, 8, 8, 8]);
+        assert_eq!((transparent.count, transparent.first), (0, None));
+    }
+
+    #[test]
+    fn format_is_recognised_by_its_first_bytes() {
+        assert_eq!(find_other_format(b"\x89PNG\r\n\x1a\n..."), None);
+        assert_eq!(
+            find_other_format(b"\x89PNG\r\n"),
+            Some("the beginning of a PNG file, and no more")
+        );
+        assert_eq!(find_other_format(b"\n %pdf-1.7"), Some("a PDF; save the picture as PNG"));
+        assert_eq!(find_other_format(b"P"), Some("not a PNG file"));
+        assert_eq!(netpbm_clause(b"P6#"), Some("a PPM picture (P6); save it as PNG"));
+        assert_eq!(netpbm_clause(b"P0 1"), None);
+        assert_eq!(netpbm_clause(b"P8 1"), None);
+        assert_eq!(netpbm_clause(b"P6"), None);
+    }
 }

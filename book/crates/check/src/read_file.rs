@@ -1,39 +1,102 @@
-use crate::png_file::{FILE_BYTES, too_large_clause};
+//! Files are read up to a number of bytes, and only if they are files.
+
+use crate::png_file::FILE_BYTES;
 use course::is_obeyed_by_terminals;
 use std::fs::{self, File};
-use std::io::{ErrorKind, Read};
+use std::io::{self, ErrorKind, Read};
 use std::path::Path;
+use thiserror::Error;
 
-/// The bytes of a picture's file, or why they can't be read.
-pub fn read_bounded_file(path: &Path) -> Result<Vec<u8>, String> {
-    read_file_of_at_most(path, FILE_BYTES)
+/// Why a file can't be read. The paths are escaped for a terminal.
+#[derive(Debug, Error)]
+pub enum ReadFileError {
+    /// The file doesn't exist.
+    #[error("there is no file {path}")]
+    NotFound {
+        /// The path of the file.
+        path: String,
+    },
+    /// The path is a folder, a device or a pipe.
+    #[error("{path} is not a file")]
+    NotAFile {
+        /// The path.
+        path: String,
+    },
+    /// The file has more bytes than are read.
+    #[error("{path} is too large: the limit is {} MB", FILE_BYTES >> 20)]
+    TooLarge {
+        /// The path of the file.
+        path: String,
+    },
+    /// The system refused to read it.
+    #[error("can't read {path}: {source}")]
+    Io {
+        /// The path of the file.
+        path: String,
+        /// The error of the system.
+        source: io::Error,
+    },
 }
 
-/// The bytes of a file, or why they can't be read. What is not a file, such as a folder, a
-/// device or a pipe, is not opened, and no more than these bytes is read.
-pub(crate) fn read_file_of_at_most(path: &Path, most_bytes: u64) -> Result<Vec<u8>, String> {
-    let printable_path = escape_for_terminal(&path.display().to_string());
-    let unread = |error: std::io::Error| match error.kind() {
-        ErrorKind::NotFound => format!("there is no file {printable_path}"),
-        _ => format!("can't read {printable_path}: {error}"),
-    };
-    if !fs::metadata(path).map_err(unread)?.is_file() {
-        return Err(format!("{printable_path} is not a file"));
+/// Reads the bytes of a file. A folder, a device or a pipe is never opened.
+pub fn read_bounded_file(file: &Path) -> Result<Vec<u8>, ReadFileError> {
+    let path = escape_for_terminal(&file.display().to_string());
+    match read_at_most(file, FILE_BYTES) {
+        Ok(FileContents::Bytes(bytes)) => Ok(bytes),
+        Ok(FileContents::NotAFile) => Err(ReadFileError::NotAFile { path }),
+        Ok(FileContents::TooLarge) => Err(ReadFileError::TooLarge { path }),
+        Err(error) if error.kind() == ErrorKind::NotFound => Err(ReadFileError::NotFound { path }),
+        Err(source) => Err(ReadFileError::Io { path, source }),
+    }
+}
+
+/// What is at a path.
+#[derive(Debug, PartialEq)]
+enum FileContents {
+    Bytes(Vec<u8>),
+    NotAFile,
+    TooLarge,
+}
+
+fn read_at_most(path: &Path, most_bytes: u64) -> io::Result<FileContents> {
+    if !fs::metadata(path)?.is_file() {
+        return Ok(FileContents::NotAFile);
     }
     let mut bytes = vec![];
-    let file = File::open(path).map_err(unread)?;
-    file.take(most_bytes + 1).read_to_end(&mut bytes).map_err(unread)?;
-    if most_bytes < bytes.len() as u64 {
-        return Err(format!("{printable_path} {}", too_large_clause(most_bytes)));
-    }
-    Ok(bytes)
+    File::open(path)?.take(most_bytes + 1).read_to_end(&mut bytes)?;
+    let is_small = bytes.len() as u64 <= most_bytes;
+    Ok(if is_small { FileContents::Bytes(bytes) } else { FileContents::TooLarge })
 }
 
-/// A name, with escapes for what a terminal would obey and for what turns letters around.
-pub fn escape_for_terminal(name: &str) -> String {
-    let letter = |c: char| match is_obeyed_by_terminals(c) {
+/// The text with escapes for characters that a terminal obeys or that change the direction of
+/// writing.
+pub fn escape_for_terminal(text: &str) -> String {
+    let escape = |c: char| match is_obeyed_by_terminals(c) {
         true => c.escape_default().to_string(),
         false => c.to_string(),
     };
-    name.chars().map(letter).collect()
+    text.chars().map(escape).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_a_file_within_the_limit_is_read() {
+        let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("Cargo.toml");
+        let length = fs::metadata(&file).expect("a file").len();
+        let read = |path: &Path, most| read_at_most(path, most).expect("it can be read");
+        assert!(
+            matches!(read(&file, length), FileContents::Bytes(bytes) if bytes.len() as u64 == length)
+        );
+        assert_eq!(read(&file, length - 1), FileContents::TooLarge);
+        assert_eq!(read(file.parent().expect("a folder"), length), FileContents::NotAFile);
+    }
+
+    #[test]
+    fn escapes_what_a_terminal_obeys() {
+        assert_eq!(escape_for_terminal("Zoë/a b.png"), "Zoë/a b.png");
+        assert_eq!(escape_for_terminal("\u{1b}[2J\u{202e}\n"), "\\u{1b}[2J\\u{202e}\\n");
+    }
 }

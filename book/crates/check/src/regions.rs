@@ -1,12 +1,14 @@
+//! How many pixels of the sky and of each object are wrong.
+
 use crate::answer::join_first;
 use crate::comparison::{Comparison, Pixel};
-use crate::drawing::Drawing;
+use crate::step_scene::StepScene;
 use std::cmp::Reverse;
 use step01_rays::{direction_colour, rgb8};
 
 const MOST_REGIONS: usize = 3;
 
-/// The pixels in which ours shows the sky, or one object.
+/// The pixels that show the sky in our picture, or one of the objects.
 pub(crate) struct Region {
     name: String,
     all: usize,
@@ -15,13 +17,13 @@ pub(crate) struct Region {
     hidden: usize,
 }
 
-/// The sky and the objects that ours shows, in their order.
-pub(crate) fn count_regions(comparison: &Comparison, drawing: &Drawing) -> Vec<Region> {
-    let names = [vec!["the sky".to_owned()], drawing.object_names()].concat();
+/// Counts the pixels of the sky and of each object that our picture shows, in this order.
+pub(crate) fn count_regions(comparison: &Comparison, scene: &StepScene) -> Vec<Region> {
+    let names = [vec!["the sky".to_owned()], scene.object_names()].concat();
     let regions = names.into_iter().map(|name| Region { name, all: 0, wrong: 0, hidden: 0 });
     let mut regions: Vec<_> = regions.collect();
     let is_hidden = |Pixel { ray, yours, .. }: &Pixel| {
-        let colours = drawing.object_hits(ray).map(|hit| drawing.colour_at_hit(ray, hit));
+        let colours = scene.object_hits(ray).map(|hit| scene.colour_at_hit(ray, hit));
         colours.chain([direction_colour(ray)]).any(|colour| rgb8(colour).0 == *yours)
     };
     let number = |pixel: &Pixel| pixel.hit.map_or(0, |hit| hit.object + 1);
@@ -30,17 +32,18 @@ pub(crate) fn count_regions(comparison: &Comparison, drawing: &Drawing) -> Vec<R
         regions[number(pixel)].wrong += 1;
         regions[number(pixel)].hidden += usize::from(is_hidden(pixel));
     }
-    regions.retain(|region| 0 < region.all);
+    regions.retain(|region| region.all > 0);
     regions
 }
 
-/// A sentence about the hidden pixels, unless they are few, and the objects that show nowhere.
+/// A sentence about the pixels that show what lies behind, unless there are few of them, and about
+/// the objects that show nowhere in your picture.
 pub(crate) fn hidden_sentence(regions: &[Region]) -> Option<String> {
     let hidden: usize = regions.iter().map(|region| region.hidden).sum();
     let wrong: usize = regions.iter().map(|region| region.wrong).sum();
     let nowhere = regions.iter().filter(|region| region.hidden == region.all);
     let nowhere: Vec<_> = nowhere.map(|region| &*region.name).collect();
-    // Few may be so by chance.
+    // A few may have such a colour by chance.
     if nowhere.is_empty() && 10 * hidden < wrong {
         return None;
     }
@@ -49,25 +52,65 @@ pub(crate) fn hidden_sentence(regions: &[Region]) -> Option<String> {
          behind"
     );
     if !nowhere.is_empty() {
-        sentence += &format!(", among them all that show {} in ours", nowhere.join(", "));
+        sentence += &format!(", including all that show {} in ours", nowhere.join(", "));
     }
     Some(sentence + ".")
 }
 
-/// A sentence about the regions with the most wrong pixels, and those that are right.
+/// A sentence about the regions with the most wrong pixels, and about those that are right.
 pub(crate) fn region_sentence(mut regions: Vec<Region>) -> String {
     regions.sort_by_key(|region| Reverse(region.wrong));
-    let (wrong, right): (Vec<_>, Vec<_>) = regions.iter().partition(|region| 0 < region.wrong);
-    let told = wrong
+    let (wrong, right): (Vec<_>, Vec<_>) = regions.iter().partition(|region| region.wrong > 0);
+    let words = wrong
         .iter()
         .map(|Region { name, all, wrong, .. }| format!("{wrong} of {all} pixels of {name}"));
-    let told = join_first(told.collect(), MOST_REGIONS, "; ");
+    let words = join_first(words.collect(), MOST_REGIONS, "; ");
     match right.iter().map(|region| &*region.name).collect::<Vec<_>>()[..] {
-        [] => format!("Wrong: {told}."),
+        [] => format!("It differs from ours in {words}."),
         [_, ..] if wrong.len() == 1 && wrong[0].name == "the sky" => {
             let count: usize = right.iter().map(|region| region.all).sum();
-            format!("Wrong: {told}. All {count} pixels of the objects are right.")
+            format!("It differs from ours in {words}. All {count} pixels of the objects are right.")
         }
-        ref names => format!("Wrong: {told}. Right in every pixel: {}.", names.join(", ")),
+        ref names => {
+            let names = names.join(", ");
+            format!("It differs from ours in {words}. Right in every pixel: {names}.")
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn region(name: &str, all: usize, wrong: usize, hidden: usize) -> Region {
+        Region { name: name.to_owned(), all, wrong, hidden }
+    }
+
+    #[test]
+    fn sentence_names_the_wrong_regions_and_the_right_ones() {
+        let [sky, ball] = [region("the sky", 9, 0, 0), region("ball 1", 7, 2, 0)];
+        let words =
+            "It differs from ours in 2 of 7 pixels of ball 1. Right in every pixel: the sky.";
+        assert_eq!(region_sentence(vec![sky, ball]), words);
+        let [sky, ball] = [region("the sky", 9, 1, 0), region("ball 1", 7, 0, 0)];
+        let words = "It differs from ours in 1 of 9 pixels of the sky. All 7 pixels of the objects \
+                     are right.";
+        assert_eq!(region_sentence(vec![sky, ball]), words);
+        let wrong = ["a", "b", "c", "d", "e"].into_iter().zip(1..);
+        let wrong = wrong.map(|(name, count)| region(name, 5, count, 0));
+        let words = "It differs from ours in 5 of 5 pixels of e; 4 of 5 pixels of d; 3 of 5 pixels \
+                     of c; 2 more.";
+        assert_eq!(region_sentence(wrong.collect()), words);
+    }
+
+    #[test]
+    fn few_hidden_pixels_say_nothing() {
+        let hidden =
+            |hidden| hidden_sentence(&[region("a", 200, 100, hidden), region("b", 9, 0, 0)]);
+        assert_eq!(hidden(9), None);
+        assert!(hidden(10).is_some_and(|sentence| sentence.starts_with("10 of 100 wrong pixels")));
+        let sentence = hidden_sentence(&[region("a", 200, 100, 1), region("b", 2, 2, 2)]);
+        let end = "lies behind, including all that show b in ours.";
+        assert!(sentence.is_some_and(|sentence| sentence.ends_with(end)));
     }
 }

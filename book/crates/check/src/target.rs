@@ -1,43 +1,45 @@
-use crate::drawing::Drawing;
+//! What a reader's picture is compared with.
+
 use crate::escape_for_terminal;
-use course::{Step, camera, hash_picture, locked_hashes};
+use crate::step_scene::StepScene;
+use course::{Step, camera};
 use image::RgbImage;
 use step01_rays::render;
 
-/// A picture to compare with: a locked one, or the scene of a name.
+/// A right picture to compare with: a locked one, or the scene that belongs to a name.
 pub(crate) struct Target {
-    /// Such as `the picture of glass`.
+    /// What a sentence calls it, such as `the picture of glass`.
     pub title: String,
-    /// The name of a locked picture; None of the scene of a name.
+    /// The name of the locked picture, or None for the scene of a name.
     pub name: Option<String>,
-    /// None of an exercise.
-    pub drawing: Option<Drawing>,
+    /// What draws it, or None for an exercise.
+    pub scene: Option<StepScene>,
     pub picture: RgbImage,
 }
 
 impl Target {
-    /// The locked picture of a name.
+    /// The target for a locked picture.
     pub fn of_locked(name: &str, picture: RgbImage) -> Self {
-        let drawing = Step::from_name(name).map(Drawing::of_step);
+        let scene = Step::from_name(name).map(StepScene::of_step);
         let title = format!("the picture of {name}");
-        Self { title, name: Some(name.to_owned()), drawing, picture }
+        Self { title, name: Some(name.to_owned()), scene, picture }
     }
 
-    /// The scene that belongs to a name.
+    /// The target for the scene that belongs to a name.
     pub fn of_scene(name: &str) -> Self {
-        let drawing = Drawing::of_name(name);
-        let picture = render(&camera(), 1, |ray| drawing.colour(ray));
-        Self { title: scene_title(name), name: None, drawing: Some(drawing), picture }
+        let scene = StepScene::of_name(name);
+        let picture = render(&camera(), 1, |ray| scene.colour(ray));
+        Self { title: scene_title(name), name: None, scene: Some(scene), picture }
     }
 }
 
-/// A title such as `the scene of ada`.
+/// What a sentence calls a scene, such as `the scene of ada`.
 pub(crate) fn scene_title(name: &str) -> String {
     format!("the scene of {}", escape_for_terminal(name))
 }
 
-/// The one of `names` that a file's own name tells: `step03_nearest.png`,
-/// `my_lens-2.png`, `step3.png`.
+/// Finds one of `names` in the name of a file, such as `step03_nearest.png`, `my_lens-2.png` or
+/// `step3.png`. If there are several, takes the longest.
 pub(crate) fn find_name_in_file_name<'a>(
     file_name: &str,
     names: impl Iterator<Item = &'a str> + Clone,
@@ -58,17 +60,25 @@ pub(crate) fn find_name_in_file_name<'a>(
     })
 }
 
-/// The most pixels of a picture with a known hash: those of the default options, and of mistakes
-/// with these.
-const MOST_HASHED_PIXELS: usize = 1 << 20;
+#[cfg(test)]
+mod tests {
+    use super::*;
 
-/// The hash of a picture; None of one that is too large to have a known hash.
-pub(crate) fn hash_if_small(picture: &RgbImage) -> Option<u64> {
-    (picture.pixels().len() <= MOST_HASHED_PIXELS).then(|| hash_picture(picture))
-}
+    const NAMES: [&str; 6] =
+        ["step01_rays", "step03_nearest", "rings", "sun", "my_scene", "look_at"];
 
-/// The name of the locked picture that a picture is.
-pub(crate) fn find_equal(picture: &RgbImage) -> Option<&'static str> {
-    let hash = hash_if_small(picture)?;
-    locked_hashes().find(|(_, one)| *one == hash).map(|(name, _)| name)
+    #[test]
+    fn name_is_found_as_a_word_of_the_file_name() {
+        let find = |file_name| find_name_in_file_name(file_name, NAMES.into_iter());
+        assert_eq!(find("step03_nearest.png"), Some("step03_nearest"));
+        assert_eq!(find("work\\Step 3 final.png"), Some("step03_nearest"));
+        assert_eq!(find("a/rings/step-03.PNG"), Some("step03_nearest"));
+        assert_eq!(find("step12.png"), None);
+        assert_eq!(find("MyScene-2.png"), Some("my_scene"));
+        assert_eq!(find("sunny.png"), None);
+        assert_eq!(find("rings/picture.png"), None);
+        // The longest of several names counts.
+        assert_eq!(find("sun rings.png"), Some("rings"));
+        assert_eq!(find("step4.png"), None);
+    }
 }

@@ -1,15 +1,18 @@
-use crate::comparison::{Budget, scattered_places};
+//! Pictures that are ours as a whole, turned, cut out or enlarged, or of one colour.
+
+use crate::comparison::{Budget, scattered_positions};
 use image::RgbImage;
 
-/// How many pixels may be compared to find a part, and the least that a part has.
+/// How many pixels may be compared to find a part, and the least pixels of a part.
 const PIXELS: u32 = 1 << 26;
 const LEAST_PIXELS: usize = 100;
 
-/// The place in a turned picture of a column and row of ours, of which the last are given.
+/// The position in a turned picture of a pixel of ours. The second argument is our last column and
+/// row.
 type Turn = fn((u32, u32), (u32, u32)) -> (u32, u32);
 
 const TURNS: [(&str, Turn); 6] = [
-    ("", |place, _| place),
+    ("", |position, _| position),
     ("upside down", |(i, j), (_, row)| (i, row - j)),
     ("mirrored left to right", |(i, j), (column, _)| (column - i, j)),
     ("turned by 180°", |(i, j), (column, row)| (column - i, row - j)),
@@ -24,23 +27,21 @@ const ORDERS: [(&str, [usize; 3]); 4] = [
     ("with green and blue exchanged", [0, 2, 1]),
 ];
 
-/// A sentence about a picture of one colour, or about one that is the whole of ours, of this
-/// title, turned, cut or enlarged; else nothing.
-pub(crate) fn describe_whole(picture: &RgbImage, ours: &RgbImage, title: &str) -> String {
+/// A sentence about a picture that has one colour, or that is ours turned, cut out or enlarged.
+/// Returns None for any other picture. Ours has this title.
+pub(crate) fn describe_whole(picture: &RgbImage, ours: &RgbImage, title: &str) -> Option<String> {
     if let Some([r, g, b]) = uniform_colour(picture) {
-        return format!("Your picture is one colour, ({r}, {g}, {b}), in all pixels.\n");
+        return Some(format!("Your picture is one colour, ({r}, {g}, {b}), in all pixels."));
     }
     let mut clauses = turned_or_swapped_clauses(picture, ours);
     if clauses.is_empty() {
         clauses.extend(cut_or_enlarged_clause(picture, ours));
     }
-    match clauses.join(", or ") {
-        none if none.is_empty() => none,
-        clause => format!("This is {title}, {clause}.\n"),
-    }
+    let is_ours = !clauses.is_empty();
+    is_ours.then(|| format!("This is {title}, {}.", clauses.join(", or ")))
 }
 
-/// The colour of all pixels, where it is one.
+/// The colour of all pixels if they have the same.
 pub(crate) fn uniform_colour(picture: &RgbImage) -> Option<[u8; 3]> {
     let first = picture.get_pixel_checked(0, 0)?.0;
     // Each pixel is equal to the one before it.
@@ -48,19 +49,19 @@ pub(crate) fn uniform_colour(picture: &RgbImage) -> Option<[u8; 3]> {
     (bytes[3..] == bytes[..bytes.len() - 3]).then_some(first)
 }
 
-/// Clauses such as `upside down`: how yours is the whole of ours turned, mirrored or with its
-/// channels in another order; of each turn the plainest.
+/// Clauses such as `upside down`, if your picture is ours turned, mirrored or with its channels in
+/// a different order. Each turn has the plainest order that fits.
 fn turned_or_swapped_clauses(yours: &RgbImage, ours: &RgbImage) -> Vec<String> {
     if yours.pixels().len() != ours.pixels().len() {
         return vec![];
     }
     let (columns, rows) = ours.dimensions();
     let clauses = TURNS.iter().filter_map(|(turned, turn)| {
-        // A grey picture is the same in any order.
+        // A grey picture looks the same in any order.
         let (swapped, _) = ORDERS.iter().find(|(_, order)| {
-            scattered_places((columns, rows)).all(|place| {
-                let (i, j) = turn(place, (columns - 1, rows - 1));
-                let colour = order.map(|k| ours[place][k]);
+            scattered_positions((columns, rows)).all(|position| {
+                let (i, j) = turn(position, (columns - 1, rows - 1));
+                let colour = order.map(|k| ours[position][k]);
                 yours.get_pixel_checked(i, j).is_some_and(|yours| yours.0 == colour)
             })
         })?;
@@ -70,7 +71,7 @@ fn turned_or_swapped_clauses(yours: &RgbImage, ours: &RgbImage) -> Vec<String> {
     clauses.collect()
 }
 
-/// A clause such as `enlarged 2 times`: which part of ours yours is, or how many times larger.
+/// A clause such as `enlarged 2 times`, if your picture is a part of ours, or ours enlarged.
 fn cut_or_enlarged_clause(yours: &RgbImage, ours: &RgbImage) -> Option<String> {
     let ((w, h), (columns, rows)) = (yours.dimensions(), ours.dimensions());
     if let Some((i, j)) = find_corner(yours, ours) {
@@ -83,18 +84,70 @@ fn cut_or_enlarged_clause(yours: &RgbImage, ours: &RgbImage) -> Option<String> {
     is_enlarged.then(|| format!("enlarged {times} times"))
 }
 
-/// The corner of a place in `whole` where all pixels of `part` are.
+/// The column and row in `whole` where `part` begins, if it is a part of it.
 fn find_corner(part: &RgbImage, whole: &RgbImage) -> Option<(u32, u32)> {
     let (w, h) = part.dimensions();
     let (columns, rows) = (whole.width().checked_sub(w)?, whole.height().checked_sub(h)?);
     if !(LEAST_PIXELS..whole.pixels().len()).contains(&part.pixels().len()) {
         return None;
     }
-    let mut places: Vec<_> = scattered_places((w, h)).collect();
+    let mut positions: Vec<_> = scattered_positions((w, h)).collect();
     let budget = Budget::new(PIXELS);
     let mut corners = (0..=rows).flat_map(|j| (0..=columns).map(move |i| (i, j)));
     corners.find(|(i, j)| {
         let is_there = |(k, l): &(u32, u32)| part[(*k, *l)] == whole[(i + k, j + l)];
-        budget.all(&mut places, 1, is_there)
+        budget.holds_for_all(&mut positions, 1, is_there)
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A picture in which all pixels are different.
+    fn numbered(columns: u32, rows: u32) -> RgbImage {
+        RgbImage::from_fn(columns, rows, |i, j| [i as u8, j as u8, 200].into())
+    }
+
+    #[test]
+    fn turned_picture_is_named_by_its_turn() {
+        use image::imageops::{flip_horizontal, flip_vertical, rotate90, rotate180, rotate270};
+        let ours = numbered(20, 10);
+        let clauses = |yours: &RgbImage| turned_or_swapped_clauses(yours, &ours);
+        assert_eq!(clauses(&ours), [""]);
+        assert_eq!(clauses(&flip_vertical(&ours)), ["upside down"]);
+        assert_eq!(clauses(&flip_horizontal(&ours)), ["mirrored left to right"]);
+        assert_eq!(clauses(&rotate180(&ours)), ["turned by 180°"]);
+        assert_eq!(clauses(&rotate90(&ours)), ["turned by 90° to the right"]);
+        assert_eq!(clauses(&rotate270(&ours)), ["turned by 90° to the left"]);
+        let swapped = RgbImage::from_fn(20, 10, |i, j| {
+            let [r, g, b] = ours[(i, 9 - j)].0;
+            [g, r, b].into()
+        });
+        assert_eq!(clauses(&swapped), ["upside down, with red and green exchanged"]);
+        assert!(clauses(&numbered(10, 20)).is_empty());
+    }
+
+    #[test]
+    fn part_and_enlarged_picture_are_named_by_their_numbers() {
+        let ours = numbered(20, 10);
+        let clause = |yours: &RgbImage| cut_or_enlarged_clause(yours, &ours);
+        let part = RgbImage::from_fn(15, 7, |i, j| ours[(i + 4, j + 2)]);
+        let words = "cut out: its columns 4 to 18 and rows 2 to 8";
+        assert_eq!(clause(&part).as_deref(), Some(words));
+        // It has fewer than 100 pixels.
+        assert_eq!(clause(&RgbImage::from_fn(11, 9, |i, j| ours[(i, j)])), None);
+        let enlarged = RgbImage::from_fn(60, 30, |i, j| ours[(i / 3, j / 3)]);
+        assert_eq!(clause(&enlarged).as_deref(), Some("enlarged 3 times"));
+        assert_eq!(clause(&RgbImage::from_fn(60, 20, |i, j| ours[(i / 3, j / 2)])), None);
+    }
+
+    #[test]
+    fn colour_is_uniform_if_no_pixel_differs() {
+        let mut picture = RgbImage::from_pixel(3, 2, [1, 2, 3].into());
+        assert_eq!(uniform_colour(&picture), Some([1, 2, 3]));
+        picture[(2, 1)] = [1, 2, 4].into();
+        assert_eq!(uniform_colour(&picture), None);
+        assert_eq!(uniform_colour(&RgbImage::new(0, 0)), None);
+    }
 }

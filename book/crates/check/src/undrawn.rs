@@ -1,23 +1,24 @@
-//! Black or white pixels, as they are where a program draws nothing.
+//! Black or white pixels in a plain shape, which a program may never have drawn.
 
 use crate::comparison::{Comparison, Pixel};
 use std::collections::BTreeSet;
 
-/// The least pixels that count as undrawn, or as a picture with a border.
+/// Fewer pixels don't count as undrawn, nor as a picture inside a border.
 const LEAST_PIXELS: usize = 100;
 
 /// The most rectangles that a sentence names.
 const MOST_RECTANGLES: usize = 4;
 
-/// The largest distance of lines, or of pixels in reading order, that counts as a pattern.
+/// Lines that are farther apart, or pixels in reading order, don't count as a pattern.
 const LARGEST_PERIOD: u32 = 64;
 
 const BLACK: [u8; 3] = [0; 3];
 const WHITE: [u8; 3] = [255; 3];
 
-/// A sentence about wrong pixels that are black or white and have a plain shape, as those do that
-/// nothing draws; or black in any shape, if all others are right, and a part of the sky is. Too much
-/// light makes pixels white, too, so it is left open why they are.
+/// A sentence about wrong pixels that are black or white and form a plain shape, as pixels do that
+/// were never drawn. Black ones may also form any shape if all other pixels are right and a part of
+/// the sky is. The sentence doesn't say why pixels are white, since too much light makes them
+/// white, too.
 pub(crate) fn undrawn_sentence(comparison: &Comparison) -> Option<String> {
     black_sentence(comparison).or_else(|| white_sentence(comparison))
 }
@@ -25,7 +26,7 @@ pub(crate) fn undrawn_sentence(comparison: &Comparison) -> Option<String> {
 fn black_sentence(comparison: &Comparison) -> Option<String> {
     let mask = Mask::new_with_enough(comparison, BLACK)?;
     let Comparison { wrong, right, target, .. } = comparison;
-    let (count, has_drawing) = (mask.count(), target.drawing.is_some());
+    let (count, has_scene) = (mask.count(), target.scene.is_some());
     if let Some(Shape { words, cause }) = mask.find_shape() {
         let is_undrawn = match cause {
             ShapeCause::Loop => true,
@@ -34,7 +35,7 @@ fn black_sentence(comparison: &Comparison) -> Option<String> {
         };
         let simile = if is_undrawn { ", as if never drawn" } else { "" };
         let file = match cause {
-            ShapeCause::Loop if has_drawing => {
+            ShapeCause::Loop if has_scene => {
                 " Pixels are drawn in steps/step01_rays/src/draw_pixels.rs."
             }
             _ => "",
@@ -42,7 +43,7 @@ fn black_sentence(comparison: &Comparison) -> Option<String> {
         return Some(format!("{count} wrong pixels are black{simile}: {words}.{file}"));
     }
     let has_sky = |pixels: &[Pixel]| pixels.iter().any(|pixel| pixel.hit.is_none());
-    let is_all = has_drawing && wrong.len() == count && has_sky(wrong) && has_sky(right);
+    let is_all = has_scene && wrong.len() == count && has_sky(wrong) && has_sky(right);
     is_all.then(|| format!("All {count} wrong pixels are black, as if never drawn."))
 }
 
@@ -58,67 +59,69 @@ struct Shape {
     cause: ShapeCause,
 }
 
-/// What most likely left out the pixels of a shape, if they are black.
+/// What most likely left out the pixels of a black shape.
 #[derive(Clone, Copy)]
 enum ShapeCause {
     /// The loops of a program.
     Loop,
-    /// An editor, which put more around a picture.
+    /// An editor that put a border around a finished picture.
     Editor,
-    /// Several scraps may be anything dark, if other pixels are wrong, too.
+    /// Several pieces may be anything dark if other pixels are wrong, too.
     Unknown,
 }
 
-/// What a pixel says of a shape.
+/// Whether a pixel belongs to a shape.
 #[derive(Clone, Copy, PartialEq)]
-enum Place {
-    /// Wrong, and of the colour: in the shape.
+enum Membership {
+    /// It does: it is wrong and has the colour of the shape.
     Inside,
-    /// Right, and of the colour all the same.
+    /// It may: it has the colour of the shape, but is right.
     Either,
-    /// Of another colour: not in the shape.
+    /// It doesn't: it has a different colour.
     Outside,
 }
 
-/// The pixels of one colour in a reader's picture.
+/// Which pixels of a reader's picture have one colour.
 struct Mask {
     columns: u32,
     rows: u32,
     /// All pixels, row by row.
-    places: Vec<Place>,
+    memberships: Vec<Membership>,
 }
 
 impl Mask {
-    /// The mask of a colour; None where too few wrong pixels have it.
+    /// The mask of a colour. Returns None if too few wrong pixels have it.
     fn new_with_enough(comparison: &Comparison, colour: [u8; 3]) -> Option<Self> {
         let has_colour = |pixel: &&Pixel| pixel.yours == colour;
         let count = comparison.wrong.iter().filter(has_colour).count();
-        (LEAST_PIXELS <= count).then(|| Self::new(comparison, colour))
+        (count >= LEAST_PIXELS).then(|| Self::new(comparison, colour))
     }
 
     fn new(comparison: &Comparison, colour: [u8; 3]) -> Self {
         let (columns, rows) = comparison.target.picture.dimensions();
-        let mut places = vec![Place::Outside; columns as usize * rows as usize];
+        let mut memberships = vec![Membership::Outside; columns as usize * rows as usize];
         let has_colour = |pixel: &&Pixel| pixel.yours == colour;
-        let mut set = |pixels: &[Pixel], place| {
-            for Pixel { place: (i, j), .. } in pixels.iter().filter(has_colour) {
-                places[*j as usize * columns as usize + *i as usize] = place;
+        let mut set = |pixels: &[Pixel], membership| {
+            for Pixel { position: (i, j), .. } in pixels.iter().filter(has_colour) {
+                memberships[*j as usize * columns as usize + *i as usize] = membership;
             }
         };
-        set(&comparison.wrong, Place::Inside);
-        set(&comparison.right, Place::Either);
-        Self { columns, rows, places }
+        set(&comparison.wrong, Membership::Inside);
+        set(&comparison.right, Membership::Either);
+        Self { columns, rows, memberships }
     }
 
-    /// Column, row and place of each pixel.
-    fn pixels(&self) -> impl Iterator<Item = (u32, u32, Place)> {
+    /// The column, row and membership of each pixel.
+    fn pixels(&self) -> impl Iterator<Item = (u32, u32, Membership)> {
         let index = |k: usize| k as u32;
-        let places = self.places.iter().enumerate();
-        places.map(move |(k, place)| (index(k) % self.columns, index(k) / self.columns, *place))
+        let memberships = self.memberships.iter().enumerate();
+        memberships.map(move |(k, membership)| {
+            (index(k) % self.columns, index(k) / self.columns, *membership)
+        })
     }
 
     fn inside(&self) -> impl Iterator<Item = (u32, u32)> {
-        let inside = self.pixels().filter(|(_, _, place)| *place == Place::Inside);
+        let inside = self.pixels().filter(|(_, _, membership)| *membership == Membership::Inside);
         inside.map(|(i, j, _)| (i, j))
     }
 
@@ -126,18 +129,18 @@ impl Mask {
         self.inside().count()
     }
 
-    /// Whether a shape has all pixels that are inside, and none that are outside.
+    /// Whether a shape contains all pixels that are inside and none that are outside.
     fn is_shape(&self, contains: impl Fn(u32, u32) -> bool) -> bool {
-        self.pixels().all(|(i, j, place)| match place {
-            Place::Inside => contains(i, j),
-            Place::Either => true,
-            Place::Outside => !contains(i, j),
+        self.pixels().all(|(i, j, membership)| match membership {
+            Membership::Inside => contains(i, j),
+            Membership::Either => true,
+            Membership::Outside => !contains(i, j),
         })
     }
 
-    /// The first shape of those we know that fits; None where it is the whole picture.
+    /// The first shape we know that fits. Returns None if none does, or if it is the whole picture.
     fn find_shape(&self) -> Option<Shape> {
-        if !self.places.contains(&Place::Outside) {
+        if !self.memberships.contains(&Membership::Outside) {
             return None;
         }
         let shapes = [
@@ -153,7 +156,7 @@ impl Mask {
 
     /// Bars on both sides, or above and below, or a frame.
     fn find_border(&self) -> Option<Shape> {
-        let kept = self.pixels().filter(|(_, _, place)| *place == Place::Outside);
+        let kept = self.pixels().filter(|(_, _, membership)| *membership == Membership::Outside);
         let kept: Vec<_> = kept.collect();
         let first_column = kept.iter().map(|(i, _, _)| *i).min()?;
         let last_column = kept.iter().map(|(i, _, _)| *i).max()?;
@@ -167,16 +170,16 @@ impl Mask {
             ("above", first_row),
             ("below", self.rows - 1 - last_row),
         ];
-        let bars: Vec<_> = sides.into_iter().filter(|(_, width)| 0 < *width).collect();
-        // A bar on one side alone is a rectangle, and may be a loop that ends too soon; and a border
-        // is around something.
+        let bars: Vec<_> = sides.into_iter().filter(|(_, width)| *width > 0).collect();
+        // A bar on only one side is a rectangle, which a loop leaves that ends too soon. And a
+        // border surrounds something.
         if bars.len() < 2 || kept.len() < LEAST_PIXELS || !self.is_shape(is_border) {
             return None;
         }
         let shape = if bars.len() == 4 { "a frame" } else { "bars" };
         let widths = bars.iter().map(|(side, width)| format!("{width} {side}"));
         let widths = widths.collect::<Vec<_>>().join(", ");
-        // Loops may leave out the first and the last, but more is put around a finished picture.
+        // A loop may leave out the first and the last line. An editor's border is wider.
         let is_loop = bars.iter().all(|(_, width)| *width == 1);
         let cause = if is_loop { ShapeCause::Loop } else { ShapeCause::Editor };
         let simile = if is_loop { "" } else { ", as editors add them" };
@@ -194,11 +197,12 @@ impl Mask {
         is_shape.then_some(Shape { words: words?, cause: ShapeCause::Loop })
     }
 
-    /// All but the crossings of some columns and rows, such as lines between tiles.
+    /// Everything except the crossings of some columns and rows, such as lines between tiles.
     fn find_rest(&self) -> Option<Shape> {
         let columns: BTreeSet<_> = (0..self.columns).collect();
         let rows: BTreeSet<_> = (0..self.rows).collect();
-        let outside = || self.pixels().filter(|(_, _, place)| *place == Place::Outside);
+        let outside =
+            || self.pixels().filter(|(_, _, membership)| *membership == Membership::Outside);
         let kept_columns: BTreeSet<_> = outside().map(|(i, _, _)| i).collect();
         let kept_rows: BTreeSet<_> = outside().map(|(_, j, _)| j).collect();
         let is_shape = self.is_shape(|i, j| !kept_columns.contains(&i) || !kept_rows.contains(&j));
@@ -212,22 +216,23 @@ impl Mask {
         Some(Shape { words, cause: ShapeCause::Loop })
     }
 
-    /// A few rectangles, such as the tiles of processors that drew nothing.
+    /// A few rectangles, such as tiles that some threads never drew.
     fn find_rectangles(&self) -> Option<Shape> {
-        let mut rest = self.places.clone();
+        let mut rest = self.memberships.clone();
         let index = |i: u32, j: u32| (j * self.columns + i) as usize;
         let mut words = vec![];
-        while let Some(first) = rest.iter().position(|place| *place == Place::Inside) {
+        while let Some(first) = rest.iter().position(|membership| *membership == Membership::Inside)
+        {
             if words.len() == MOST_RECTANGLES {
                 return None;
             }
             let (left, top) = (first as u32 % self.columns, first as u32 / self.columns);
-            let is_inside = |i, j| rest[index(i, j)] == Place::Inside;
+            let is_inside = |i, j| rest[index(i, j)] == Membership::Inside;
             let right = (left..self.columns).take_while(|i| is_inside(*i, top)).last()?;
             let is_row = |j: &u32| (left..=right).all(|i| is_inside(i, *j));
             let bottom = (top..self.rows).take_while(is_row).last()?;
             for j in top..=bottom {
-                rest[index(left, j)..=index(right, j)].fill(Place::Either);
+                rest[index(left, j)..=index(right, j)].fill(Membership::Either);
             }
             let [columns, rows] = [left..=right, top..=bottom].map(BTreeSet::from_iter);
             words.push(join(
@@ -239,37 +244,40 @@ impl Mask {
         Some(Shape { words: words.join(", and "), cause })
     }
 
-    /// Every so many pixels, counted row by row.
+    /// Every nth pixel, counted row by row.
     fn find_stride(&self) -> Option<Shape> {
         let number = |i: u32, j: u32| j * self.columns + i;
-        let (period, rests) = self.find_period(number)?;
-        let pixels = format_rests("pixel", period, &rests);
+        let (period, remainders) = self.find_period(number)?;
+        let pixels = format_remainders("pixel", period, &remainders);
         let words = format!("{pixels}, counted row by row");
         Some(Shape { words, cause: ShapeCause::Loop })
     }
 
     fn find_diagonals(&self) -> Option<Shape> {
-        let describe = |direction: &str, (period, rests): (u32, BTreeSet<u32>)| {
-            let words = format!("{}, {direction}", format_rests("diagonal", period, &rests));
+        let describe = |direction: &str, (period, remainders): (u32, BTreeSet<u32>)| {
+            let words =
+                format!("{}, {direction}", format_remainders("diagonal", period, &remainders));
             Shape { words, cause: ShapeCause::Loop }
         };
-        // The rows are added, so that the difference isn't below 0.
+        // Adding the rows keeps the difference from being negative.
         let falling = self.find_period(|i, j| i + self.rows - j);
         let falling = falling.map(|found| describe("falling to the right", found));
         falling.or_else(|| Some(describe("rising to the right", self.find_period(|i, j| i + j)?)))
     }
 
-    /// The smallest period of a number of each pixel whose rests tell the shape, and these rests.
+    /// Numbers each pixel, and finds the smallest period by whose remainders the shape is
+    /// described. Returns the period and these remainders.
     fn find_period(&self, number: impl Fn(u32, u32) -> u32) -> Option<(u32, BTreeSet<u32>)> {
         let inside: Vec<_> = self.inside().map(|(i, j)| number(i, j)).collect();
         (2..=LARGEST_PERIOD).find_map(|period| {
-            let rests: BTreeSet<_> = inside.iter().map(|number| number % period).collect();
-            let is_shape = self.is_shape(|i, j| rests.contains(&(number(i, j) % period)));
-            is_shape.then_some((period, rests))
+            let remainders: BTreeSet<_> = inside.iter().map(|number| number % period).collect();
+            let is_shape = self.is_shape(|i, j| remainders.contains(&(number(i, j) % period)));
+            is_shape.then_some((period, remainders))
         })
     }
 
-    /// Such as `row 3`, `rows 3 to 9`, `every 2nd row from 1 to 359`; None of all lines.
+    /// Formats lines as `row 3`, `rows 3 to 9` or `every 2nd row from 1 to 359`. Returns None for no
+    /// lines and for all lines.
     fn format_lines(&self, word: &str, lines: &BTreeSet<u32>) -> Option<String> {
         let all = if word == "row" { self.rows } else { self.columns };
         let (first, last) = (lines.first()?, lines.last()?);
@@ -285,15 +293,15 @@ impl Mask {
     }
 }
 
-/// Columns of rows; None where both are all.
+/// Joins columns and rows, such as `columns 3 to 9 of row 2`. Returns None if there are neither.
 fn join(columns: &Option<String>, rows: &Option<String>) -> Option<String> {
     let both = [columns, rows].into_iter().flatten().map(String::as_str);
     let both: Vec<_> = both.collect();
     (!both.is_empty()).then(|| both.join(" of "))
 }
 
-fn format_rests(word: &str, period: u32, rests: &BTreeSet<u32>) -> String {
-    match rests.len() {
+fn format_remainders(word: &str, period: u32, remainders: &BTreeSet<u32>) -> String {
+    match remainders.len() {
         1 => format!("every {} {word}", format_ordinal(period)),
         count => format!("{count} of every {period} {word}s"),
     }
@@ -308,4 +316,73 @@ fn format_ordinal(number: u32) -> String {
         _ => "th",
     };
     format!("{number}{end}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A mask with ten rows.
+    fn mask(columns: u32, contains: impl Fn(u32, u32) -> bool) -> Mask {
+        let pixels = (0..10).flat_map(|j| (0..columns).map(move |i| (i, j)));
+        let membership = |(i, j)| match contains(i, j) {
+            true => Membership::Inside,
+            false => Membership::Outside,
+        };
+        Mask { columns, rows: 10, memberships: pixels.map(membership).collect() }
+    }
+
+    #[test]
+    fn lines_are_named_by_their_first_their_last_and_their_step() {
+        let mask = mask(12, |_, _| true);
+        let format =
+            |word, lines: &[u32]| mask.format_lines(word, &lines.iter().copied().collect());
+        assert_eq!(format("row", &[3]).as_deref(), Some("row 3"));
+        assert_eq!(format("row", &[3, 4, 5]).as_deref(), Some("rows 3 to 5"));
+        assert_eq!(format("column", &[1, 4, 7]).as_deref(), Some("every 3rd column from 1 to 7"));
+        assert_eq!(format("row", &[1, 2, 4]).as_deref(), Some("3 rows between 1 and 4"));
+        assert_eq!(format("row", &[]), None);
+        let all: Vec<_> = (0..10).collect();
+        assert_eq!(format("row", &all), None);
+        assert_eq!(format("column", &all).as_deref(), Some("columns 0 to 9"));
+    }
+
+    #[test]
+    fn ordinals_end_as_in_english() {
+        let ordinals = [1, 2, 3, 4, 11, 12, 13, 21, 22, 23, 111, 112].map(format_ordinal);
+        let expected = [
+            "1st", "2nd", "3rd", "4th", "11th", "12th", "13th", "21st", "22nd", "23rd", "111th",
+            "112th",
+        ];
+        assert_eq!(ordinals, expected);
+    }
+
+    #[test]
+    fn remainders_are_counted_unless_there_is_one() {
+        assert_eq!(format_remainders("pixel", 3, &BTreeSet::from([2])), "every 3rd pixel");
+        assert_eq!(format_remainders("pixel", 5, &BTreeSet::from([0, 1])), "2 of every 5 pixels");
+    }
+
+    #[test]
+    fn shape_is_the_first_that_fits() {
+        let words = |contains: fn(u32, u32) -> bool| {
+            mask(12, contains).find_shape().map(|shape| shape.words)
+        };
+        assert_eq!(words(|_, _| true), None);
+        assert_eq!(words(|_, j| j == 4).as_deref(), Some("row 4"));
+        assert_eq!(words(|i, j| i < 3 && j > 7).as_deref(), Some("columns 0 to 2 of rows 8 to 9"));
+        let lines = "every 4th column from 3 to 11 and every 5th row from 4 to 9";
+        assert_eq!(words(|i, j| i % 4 == 3 || j % 5 == 4).as_deref(), Some(lines));
+        let two = "columns 0 to 1 of row 0, and columns 5 to 6 of row 7";
+        assert_eq!(
+            words(|i, j| (i < 2 && j == 0) || ((5..7).contains(&i) && j == 7)).as_deref(),
+            Some(two)
+        );
+        let pixels = "every 7th pixel, counted row by row";
+        assert_eq!(words(|i, j| (12 * j + i) % 7 == 2).as_deref(), Some(pixels));
+        let wide = mask(40, |i, j| (i + 10 - j) % 5 == 1).find_shape();
+        let falling = "every 5th diagonal, falling to the right";
+        assert!(wide.is_some_and(|shape| shape.words == falling));
+        assert_eq!(words(|i, j| (i * i + 3 * j) % 11 == 0), None);
+    }
 }

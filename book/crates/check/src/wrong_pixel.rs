@@ -1,49 +1,62 @@
+//! The wrong pixel that an answer shows in full.
+
 use crate::comparison::{Comparison, Pixel};
-use crate::drawing::{Drawing, ObjectHit};
+use crate::number_format::{format_number, format_vector};
+use crate::step_scene::{ObjectHit, StepScene};
 use course::Step;
-use glam::DVec3;
 use step05_phong::{Ray, normal};
 
-/// The wrong pixel that differs most: its colours, and what ours computes there.
+/// Describes the wrong pixel that differs most: both colours, and what our program computes there.
 pub(crate) fn describe_wrong_pixel(Comparison { target, farthest, .. }: &Comparison) -> String {
-    let Pixel { place: (i, j), ray, hit, yours, ours } = farthest;
-    let computed = target.drawing.as_ref().map(|drawing| computed_values(drawing, ray, *hit));
+    let Pixel { position: (i, j), ray, hit, yours, ours } = farthest;
+    let computed = target.scene.as_ref().map(|scene| computed_values(scene, ray, *hit));
     let [a, b] = [yours, ours].map(|[r, g, b]| format!("({r}, {g}, {b})"));
-    format!("Column {i}, row {j}: yours is {a}, ours {b}{}.\n", computed.unwrap_or_default())
+    format!("Column {i}, row {j}: yours is {a}, ours {b}{}.", computed.unwrap_or_default())
 }
 
-/// The values that our program computes for one ray, in the book's letters, after a colon.
-pub(crate) fn computed_values(drawing: &Drawing, ray: &Ray, hit: Option<ObjectHit>) -> String {
+/// A colon, and the values that our program computes for one ray, in the letters of the book.
+fn computed_values(scene: &StepScene, ray: &Ray, hit: Option<ObjectHit>) -> String {
     let Some(hit) = hit else {
         return format!(": the sky, V = {}", format_vector(ray.direction));
     };
-    let mut text = format!(": {} at t = {:.4}", drawing.object_names()[hit.object], hit.t);
-    if drawing.step < Step::Diffuse {
+    let mut text = format!(": {} at t = {:.4}", scene.object_names()[hit.object], hit.t);
+    if scene.step < Step::Diffuse {
         return text;
     }
     let p = ray.at(hit.t);
-    let n = normal(&drawing.own.scene.objects[hit.object].sphere, p);
+    let n = normal(&scene.own.scene.objects[hit.object].sphere, p);
     text += &format!(", n = {}", format_vector(n));
-    for (light, name) in drawing.own.scene.lights.iter().zip(drawing.light_names) {
+    for (light, name) in scene.own.scene.lights.iter().zip(scene.light_names) {
         let (l, d) = light.point_light.direction_from(p);
         text += &format!("; {name}: n·l = {}, d = {d:.4}", format_number(n.dot(l)));
     }
-    let terms = drawing.terms_at_hit(ray, hit);
+    let terms = scene.terms_at_hit(ray, hit);
     text += &format!(
         ";\n  I_a = {}, I_d = {}",
         format_vector(terms.ambient),
         format_vector(terms.diffuse)
     );
-    if drawing.step == Step::Phong {
+    if scene.step == Step::Phong {
         text += &format!(", I_s = {}", format_vector(terms.specular));
     }
     text
 }
 
-pub(crate) fn format_vector(vector: DVec3) -> String {
-    format!("({})", vector.to_array().map(format_number).join(", "))
-}
+#[cfg(test)]
+mod tests {
+    use super::*;
 
-pub(crate) fn format_number(number: f64) -> String {
-    format!("{number:.4}").replace('-', "−")
+    #[test]
+    fn values_are_those_that_the_step_computes() {
+        let ray = course::camera().ray(320.0, 180.0);
+        let values = |step| {
+            let scene = StepScene::of_step(step);
+            computed_values(&scene, &ray, scene.visible_hit(&ray))
+        };
+        assert!(values(Step::Rays).starts_with(": the sky, V = (0.0009, −0.0009, −1.0000)"));
+        assert_eq!(values(Step::Sphere), ": the sphere at t = 4.0000");
+        assert!(values(Step::Diffuse).contains("; the warm light: n·l = "));
+        assert!(!values(Step::Diffuse).contains("I_s"));
+        assert!(values(Step::Phong).contains(", I_s = ("));
+    }
 }

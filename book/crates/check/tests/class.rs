@@ -1,5 +1,4 @@
-//! Reports on a class, one folder for each student, and on one's own pictures; and the sheets of
-//! a class.
+//! Reports on a class and on somebody's own pictures, and the sheets of a class.
 
 use crate::program::{run_check, write_files};
 use crate::{assert_locked, create_empty_folder, draw_scene, encode, locked_file, map_locked};
@@ -108,7 +107,7 @@ fn reports_on_own_pictures_are_as_locked() {
     assert_locked("own_pictures", answers);
 }
 
-/// On other systems, files can't have these names.
+/// Only Linux allows these names.
 #[test]
 #[cfg(target_os = "linux")]
 fn odd_names_of_folders_stay_apart() {
@@ -204,7 +203,7 @@ fn sheets_are_as_locked() {
     ];
     assert_locked("writing_sheets", runs.map(|arguments| run_check(&folder, arguments)));
     assert_locked("sheets", read_folder(&folder.join("sheets")));
-    // Each system has words of its own for these errors.
+    // The messages of these errors differ between systems.
     for arguments in [["long.txt", "new"], ["names.txt", "full/other.txt/new"]] {
         let [names, out] = arguments;
         let (_, text) = run_check(&folder, &["--names", names, "--out", out]);

@@ -1,5 +1,5 @@
-//! What learning platforms let a teacher download, made up and unpacked; and the lines of shell of
-//! the page for teachers, which make a folder for each student of it.
+//! Downloads from learning platforms, made up and unpacked, and the lines of shell from the page for
+//! teachers, which turn them into a folder for each student.
 
 use crate::program::{run_check, write_files};
 use crate::{assert_locked, create_empty_folder, encode, locked_file, locked_picture, map_locked};
@@ -25,7 +25,8 @@ fn run_shell(folder: &Path, lines: &str) {
     assert!(output.status.success() && errors.is_empty(), "{lines}\n{errors}");
 }
 
-/// Makes folders of the files of a download by the lines of a platform. Returns the report on them.
+/// Turns the files of a download into folders by the lines for its platform. Returns the report on
+/// them.
 fn report<const COUNT: usize>(
     platform: &str,
     words: &str,
@@ -42,7 +43,7 @@ fn report<const COUNT: usize>(
     (format!("{platform}, {title}"), text)
 }
 
-/// Right pictures, wrong ones, and what is no picture.
+/// Right pictures, wrong ones, and files that aren't pictures.
 struct Files {
     rays: Vec<u8>,
     sphere: Vec<u8>,
@@ -70,7 +71,8 @@ fn files() -> Files {
 
 const FOLDERS: &str = "**Moodle, D2L Brightspace, Gradescope and GitHub**";
 
-/// Hand-ins of more than twenty-four students on seven platforms: each picture is right, or is named for a person.
+/// Hand-ins of more than twenty-four students on seven platforms. Each picture is right, or the
+/// report names it for a person to look at.
 #[test]
 fn made_up_downloads_are_reported_as_locked() {
     let Files { rays, sphere, flipped, bgr, small, jpeg, text } = files();

@@ -1,4 +1,4 @@
-//! Answers about files: other formats, damaged ones, what is left out.
+//! Answers about files in other formats, damaged ones, and features that aren't read.
 
 use crate::{assert_locked, encode, format_answer, locked_picture};
 use check::check_png;
@@ -7,7 +7,7 @@ use course::{Step, camera_with_size};
 use image::{DynamicImage, RgbImage};
 use std::slice;
 
-/// A PNG file that says of itself that it has so many columns and rows.
+/// The PNG file with these columns and rows in its header, whatever it holds.
 fn with_size(png: &[u8], columns: u32, rows: u32) -> Vec<u8> {
     let size = [columns, rows].map(u32::to_be_bytes).concat();
     let header = [&png[12..16], &size, &png[24..29]].concat();
@@ -105,7 +105,7 @@ fn other_kinds_of_png_are_as_locked() {
     let still = encode(ours.clone());
     let with_chunks = |chunks: &[Vec<u8>]| [&still[..33], &chunks.concat(), &still[33..]].concat();
     let animation = chunk(b"acTL", &[0, 0, 0, 2, 0, 0, 0, 0]);
-    // The number 0, 640×360 pixels at (0, 0), and how long and how they are shown.
+    // The index 0, then 640×360 pixels at (0, 0), then the delay and how to draw them.
     let frame = [0, 640, 360, 0, 0].map(u32::to_be_bytes).concat();
     let first_frame = chunk(b"fcTL", &[&frame[..], &[0, 1, 0, 10, 0, 0]].concat());
     let one_grey = DynamicImage::new_luma16(1, 1);

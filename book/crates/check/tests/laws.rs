@@ -1,7 +1,7 @@
-//! What holds of all pictures and all bytes.
+//! Laws that hold for all pictures and all files.
 
 use crate::{check, encode, locked_file, map_locked};
-use check::{Verdict, check_png};
+use check::{CheckError, Verdict, check_png};
 use course::{Step, camera_with_size, locked_names, read_locked_picture};
 use fastrand::Rng;
 use step01_rays::Camera;
@@ -16,7 +16,7 @@ fn damaged_files_give_answers_without_panic() {
         file[offset] ^= random.u8(1..);
         file.truncate(if k % 2 == 0 { offset + 1 } else { file.len() });
         let answer = check_png(&file, "my.png", Some("step01_rays"), read_locked_picture);
-        assert_eq!(answer.verdict, Verdict::Unreadable, "{}", answer.text);
+        assert!(matches!(answer, Err(CheckError::Png { .. })), "{answer:?}");
     }
 }
 
@@ -25,7 +25,7 @@ fn only_equal_pictures_are_right() {
     let mut random = Rng::with_seed(0x5EED);
     for name in locked_names().into_iter().step_by(11) {
         let answer = check_png(&locked_file(name), "my.png", Some(name), read_locked_picture);
-        assert_eq!(answer.verdict, Verdict::Right, "{name}");
+        assert_eq!(answer.expect("a picture").verdict, Verdict::Right, "{name}");
         let (place, bit) = ((random.u32(..640), random.u32(..360)), 1 << random.u8(..8));
         let change = |i, j, [r, g, b]: [u8; 3]| [r, if (i, j) == place { g ^ bit } else { g }, b];
         let answer = check(map_locked(name, change), name);
@@ -39,18 +39,17 @@ fn right_programs_with_options_are_blamed_for_nothing() {
     for k in 0..40 {
         let step = Step::ALL[k % 5];
         let decimals = [1, 10, 100, 1000][k / 10];
-        // Below, the border of the picture doesn't show the sky, which tells the decimals.
+        // With smaller angles, the border doesn't show the sky, from which the decimals follow.
         let fov_degrees =
             f64::from(random.u32(40 * decimals..150 * decimals)) / f64::from(decimals);
         let (columns, rows) = (random.u32(16..200), random.u32(16..200));
         let camera = Camera::new(columns, rows, fov_degrees.to_radians());
         let samples = random.u32(1..=4);
         let answer = check(step.picture()(&camera, samples), step.name());
-        let options =
-            format!("{step:?} {columns}×{rows} {fov_degrees}° {samples}: {}", answer.text);
+        let options = format!("{step:?} {columns}×{rows} {fov_degrees}° {samples}: {answer}");
         assert_eq!(answer.verdict, Verdict::OtherOptions, "{options}");
-        assert!(answer.causes.is_empty() && !answer.text.contains(".rs"), "{options}");
-        assert!(!answer.to_json().contains("mistakes"), "{options}");
+        assert!(answer.causes.is_empty() && !answer.to_string().contains(".rs"), "{options}");
+        assert!(!answer.to_json().contains("causes"), "{options}");
     }
 }
 
@@ -67,13 +66,13 @@ fn angles_with_highlights_on_the_border_are_found() {
     ] {
         let camera = Camera::new(columns, rows, f64::to_radians(fov_degrees));
         let answer = check(step.picture()(&camera, samples), step.name());
-        assert_eq!(answer.verdict, Verdict::OtherOptions, "{fov_degrees}°: {}", answer.text);
+        assert_eq!(answer.verdict, Verdict::OtherOptions, "{fov_degrees}°: {answer}");
         let options = format!("{fov_degrees}° and {samples}×{samples} rays");
-        assert!(answer.text.contains(&options), "{options}: {}", answer.text);
+        assert!(answer.to_string().contains(&options), "{options}: {answer}");
     }
 }
 
-/// No picture rules out that step 1 is wrong: its parts may be so in what the sky doesn't show.
+/// No picture rules out a mistake in step 1, since it may be in something that the sky doesn't show.
 #[test]
 fn wrong_pictures_of_all_steps_name_the_tests_of_step_1() {
     for step in Step::ALL {
@@ -84,8 +83,8 @@ fn wrong_pictures_of_all_steps_name_the_tests_of_step_1() {
             let answer = check(picture, step.name());
             let has_step_1 = ["step 1 ", "steps 1 "]
                 .iter()
-                .any(|words| answer.text.contains(&format!("The tests by hand of {words}")));
-            assert!(has_step_1 || answer.verdict == Verdict::Right, "{}", answer.text);
+                .any(|words| answer.to_string().contains(&format!("The tests by hand of {words}")));
+            assert!(has_step_1 || answer.verdict == Verdict::Right, "{answer}");
         }
     }
 }

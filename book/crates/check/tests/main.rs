@@ -1,5 +1,5 @@
-//! `check`: what it says of every picture that a reader may bring. Answers are snapshots, to be
-//! read as a reader does.
+//! What `check` says about every kind of picture that a reader may have. The answers are snapshots:
+//! review them as a reader would read them.
 
 mod class;
 #[cfg(unix)]
@@ -10,7 +10,7 @@ mod pictures;
 mod program;
 mod small_pictures;
 
-use check::{Answer, check_png};
+use check::{Answer, CheckError, check_png};
 use course::{camera, locked_picture_path, named_scene, read_locked_picture};
 use glam::DVec3;
 use image::{DynamicImage, ImageFormat, Rgb, RgbImage};
@@ -28,18 +28,18 @@ fn locked_picture(name: &str) -> RgbImage {
     read_locked_picture(name).expect("a locked picture")
 }
 
-/// The locked picture `name` with each pixel made from its place and colour.
+/// The locked picture `name`, with each pixel changed according to its position and colour.
 fn map_locked(name: &str, change: impl Fn(u32, u32, [u8; 3]) -> [u8; 3]) -> RgbImage {
     let ours = locked_picture(name);
     RgbImage::from_fn(640, 360, |i, j| Rgb(change(i, j, ours.get_pixel(i, j).0)))
 }
 
-/// The picture of a function from rays, by the camera of the course.
+/// Draws a function from rays to colours with the camera of the course.
 fn draw(colour: impl Fn(&Ray) -> DVec3 + Sync) -> RgbImage {
     render(&camera(), 1, colour)
 }
 
-/// The picture of the scene of a name.
+/// Draws the scene that belongs to a name.
 fn draw_scene(name: &str) -> RgbImage {
     let scene = named_scene(name);
     draw(|ray| step05_phong::colour(&scene, ray))
@@ -52,17 +52,23 @@ fn encode(picture: impl Into<DynamicImage>) -> Vec<u8> {
 }
 
 fn check(picture: RgbImage, name: &str) -> Answer {
-    check_png(&encode(picture), "my.png", Some(name), read_locked_picture)
+    let answer = check_png(&encode(picture), "my.png", Some(name), read_locked_picture);
+    answer.expect("a picture")
 }
 
-/// An answer as a snapshot has it.
-fn format_answer(Answer { verdict, text, causes, .. }: Answer) -> String {
+/// Formats an answer for a snapshot.
+fn format_answer(result: Result<Answer, CheckError>) -> String {
+    let answer = match result {
+        Ok(answer) => answer,
+        Err(error) => return format!("[error]\n{error}"),
+    };
+    let text = answer.to_string();
     assert!(text.lines().count() <= 12, "{text}");
-    let causes: String = causes.iter().map(|one| format!("\n[{}]", one.words_and_file())).collect();
-    format!("[{}]\n{text}{causes}", verdict.words())
+    let causes: String = answer.causes.iter().map(|cause| format!("\n[{cause}]")).collect();
+    format!("[{}]\n{text}{causes}", answer.verdict.words())
 }
 
-/// Compares answers below their titles with the snapshot of this name.
+/// Compares answers, each below its title, with the snapshot of this name.
 #[track_caller]
 fn assert_locked(name: &str, answers: impl IntoIterator<Item = (String, String)>) {
     let answers = answers.into_iter();

@@ -1,5 +1,5 @@
-//! Answers about pictures: ours as a whole, ours with one change, those of programs that are wrong
-//! in another way than we know, and the scenes of names.
+//! Answers about pictures: ours as a whole, ours with one change, pictures with mistakes that we
+//! don't know, and the scenes that belong to names.
 
 use crate::{
     assert_locked, check, draw, draw_scene, encode, format_answer, locked_picture, map_locked,
@@ -13,7 +13,7 @@ use step01_rays::{Camera, Ray, direction_colour};
 use step02_sphere::Sphere;
 use step03_nearest::{OBJECTS, colour, nearest};
 
-/// A title, the name of the picture that is expected, and the one that is there.
+/// A title, the name of the expected picture, and the picture to check.
 type Row = (&'static str, &'static str, RgbImage);
 
 const RAYS: &str = "step01_rays";
@@ -24,7 +24,7 @@ const PHONG: &str = "step05_phong";
 #[track_caller]
 fn assert_rows_locked(name: &str, rows: impl IntoIterator<Item = Row>) {
     let answer = |(title, expected, picture): Row| {
-        (format!("{title}, {expected}"), format_answer(check(picture, expected)))
+        (format!("{title}, {expected}"), format_answer(Ok(check(picture, expected))))
     };
     assert_locked(name, rows.into_iter().map(answer));
 }

@@ -22,11 +22,11 @@ pub use examples::{PICTURES, Picture, find_picture};
 mod mistake;
 mod mistake_files;
 mod mistake_table;
-pub use mistake::{Mistake, mistakes};
-pub use mistake_files::{mistake_texts, provide_mistake_texts};
+pub use mistake::{Mistake, MistakePicture, ShownMistake, mistakes};
+pub use mistake_files::{MistakeTexts, mistake_texts, provide_mistake_texts};
 pub use mistake_table::{
     SMALL_SIZE, TableRow, find_mistakes_with_hash, hash_picture, locked_hashes, locked_names,
-    read_small_pictures, shrink, small_pictures_path, table_rows,
+    make_small_picture, read_small_pictures, small_pictures_path, table_rows,
 };
 
 mod place;
@@ -55,7 +55,7 @@ mod locked_picture;
 mod panels;
 pub use difference::{describe_difference, largest_channel_difference};
 pub use encode_png::encode_png;
-pub use locked_picture::{locked_picture_path, read_locked_picture};
+pub use locked_picture::{LockedPictureError, locked_picture_path, read_locked_picture};
 pub use panels::draw_panels;
 
 mod replace_file;

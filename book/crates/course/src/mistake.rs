@@ -1,53 +1,88 @@
-//! The list of mistakes, and the marks in its files. A block of lines is a mistake: its
-//! title, `-` what stands there, `+` what is written instead. `@` names the file of those
-//! below. Where the book shows it: `!` the name of its picture (and of a step, if that is
-//! another than the file's), `?` why it is wrong, `/` the section to go back to, `"` what
-//! one sees.
+//! The list of mistakes.
+//!
+//! In the files of the list, each block of lines is a mistake. The first line is its title. The
+//! others begin with marks:
+//!
+//! - `-` the right code,
+//! - `+` the code that is written instead.
+//!
+//! A block that begins with `@` names the file of the mistakes below it. If the book shows a
+//! mistake, its block has four more lines:
+//!
+//! - `!` the name of its picture, and of the step that is drawn, unless that is the file's step;
+//!   there may be several,
+//! - `?` why it is wrong,
+//! - `/` the section to read again,
+//! - `"` what one sees in the picture.
 
 use crate::Step;
 use crate::mistake_files::mistake_texts;
+use std::sync::OnceLock;
 
-/// Mistake that a reader may make: a place of a file, and the text written there instead.
+/// A mistake that readers make: some code of a file, and what they write instead.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mistake {
-    /// Short description.
+    /// A short description.
     pub title: &'static str,
-    /// The first step whose program it is in.
+    /// The step whose crate has the file.
     pub step: Step,
-    /// The file of that step, seen from the root of the workspace.
+    /// The file, as a path from the root of the workspace.
     pub file: String,
-    /// Right text; blanks at the beginning of a line do not count.
+    /// The right code. Blanks at the start of a line don't count.
     pub old: String,
-    /// Text that is written instead.
+    /// The code that is written instead.
     pub new: String,
-    /// The name of each picture in the book, lower-case words with `-` between them, and the step
-    /// that is drawn with the mistake in it: after `! name`, or else that of its file. It has none
-    /// where the book does not show it, and none of the words below then.
-    pub pictures: Vec<(&'static str, Step)>,
-    /// How it comes about or what is right, in one sentence.
+    /// What the book says about the mistake, if it shows it.
+    pub shown: Option<ShownMistake>,
+}
+
+/// How the book shows a mistake.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ShownMistake {
+    /// Its pictures, at least one.
+    pub pictures: Vec<MistakePicture>,
+    /// A sentence that says why it is wrong, or what is right.
     pub reason: &'static str,
-    /// The heading of its section, in a chapter of its step.
+    /// The heading of the section to read again, in a chapter of its step.
     pub section: &'static str,
-    /// Sentence about what its picture shows.
+    /// A sentence about what its picture shows.
     pub effect: &'static str,
 }
 
-/// All mistakes, in the order of the lists.
-pub fn mistakes() -> Vec<Mistake> {
+/// A picture of a mistake in the book.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct MistakePicture {
+    /// The name: lower-case words joined by `-`.
+    pub name: &'static str,
+    /// The step that draws it with the mistake.
+    pub step: Step,
+}
+
+/// All mistakes, in the order of the lists. The lists are parsed once. In a module of a page there
+/// are no mistakes until the page has provided the lists.
+pub fn mistakes() -> &'static [Mistake] {
+    static MISTAKES: OnceLock<Vec<Mistake>> = OnceLock::new();
+    let Some(texts) = mistake_texts() else { return &[] };
+    MISTAKES.get_or_init(|| {
+        let lists = Step::ALL.into_iter().zip(texts.lists);
+        lists.flat_map(|(step, list)| parse_list(step, list)).collect()
+    })
+}
+
+/// Parses the list of a step.
+fn parse_list(step: Step, list: &'static str) -> Vec<Mistake> {
     let mut mistakes = vec![];
-    for (step, list) in Step::ALL.into_iter().zip(mistake_texts()) {
-        let mut file = String::new();
-        for block in list.split("\n\n").map(|block| block.trim_matches('\n')) {
-            match block.strip_prefix("@ ") {
-                Some(path) => file = format!("steps/{}/src/{path}", step.name()),
-                None => mistakes.extend(parse_mistake(step, &file, block)),
-            }
+    let mut file = String::new();
+    for block in list.split("\n\n").map(|block| block.trim_matches('\n')) {
+        match block.strip_prefix("@ ") {
+            Some(path) => file = format!("steps/{}/src/{path}", step.name()),
+            None => mistakes.extend(parse_mistake(step, &file, block)),
         }
     }
     mistakes
 }
 
-/// The mistake that a block of a list tells.
+/// Parses a block of a list. Returns None for a comment, which has one line.
 fn parse_mistake(step: Step, file: &str, block: &'static str) -> Option<Mistake> {
     let (title, marked_lines) = block.split_once('\n')?;
     let marked = |mark: char| {
@@ -56,46 +91,124 @@ fn parse_mistake(step: Step, file: &str, block: &'static str) -> Option<Mistake>
     };
     let text = |mark| marked(mark).collect::<Vec<_>>().join("\n");
     let first_marked = |mark| marked(mark).next().unwrap_or_default();
-    let pictures = marked('!').map(|picture| {
-        let (name, drawn) = picture.split_once(' ').unwrap_or((picture, step.name()));
-        // A word that is no step stays a part of the name, which no name may have.
-        Step::from_name(drawn).map_or((picture, step), |drawn| (name, drawn))
-    });
-    Some(Mistake {
-        title,
-        step,
-        file: file.to_owned(),
-        old: text('-'),
-        new: text('+'),
-        pictures: pictures.collect(),
+    let pictures: Vec<_> = marked('!').map(|words| parse_picture(step, words)).collect();
+    let shown = (!pictures.is_empty()).then(|| ShownMistake {
+        pictures,
         reason: first_marked('?'),
         section: first_marked('/'),
         effect: first_marked('"'),
-    })
+    });
+    Some(Mistake { title, step, file: file.to_owned(), old: text('-'), new: text('+'), shown })
+}
+
+/// Parses `name` or `name step`. If the last word isn't a step, it stays in the name, and a test
+/// finds the blank there.
+fn parse_picture(default_step: Step, words: &'static str) -> MistakePicture {
+    let name_and_step = words.rsplit_once(' ');
+    let name_and_step = name_and_step.and_then(|(name, step)| Some((name, Step::from_name(step)?)));
+    let (name, step) = name_and_step.unwrap_or((words, default_step));
+    MistakePicture { name, step }
 }
 
 impl Mistake {
-    /// The steps whose pictures it may spoil, in their order: its own and those after it.
+    /// The pictures of the mistake in the book. There are none if the book doesn't show it.
+    pub fn pictures(&self) -> &[MistakePicture] {
+        self.shown.as_ref().map(|shown| &*shown.pictures).unwrap_or_default()
+    }
+
+    /// The steps whose pictures the mistake may change: its own and the later ones.
     pub fn affected_steps(&self) -> impl Iterator<Item = Step> {
         Step::ALL.into_iter().skip(self.step as usize)
     }
 
-    /// Lines of the right text, each after a `-`, and those written instead, after `+`.
+    /// The mistake as a diff: the lines of the right code after `- `, and those that are written
+    /// instead after `+ `.
     pub fn old_and_new_lines(&self) -> String {
         let old = self.old.lines().map(|line| format!("- {line}"));
         let new = self.new.lines().map(|line| format!("+ {line}"));
         old.chain(new).collect::<Vec<_>>().join("\n")
     }
 
-    /// The text of its file with the mistake in it and no line indented, if its place is there
-    /// once.
-    pub fn apply_and_unindent(&self, file_text: &str) -> Option<String> {
-        let bare = |file_text: &str| {
-            let lines: Vec<_> = file_text.split('\n').map(str::trim_start).collect();
-            lines.join("\n")
+    /// The text of its file with the mistake in it, without indentation. If the right code isn't
+    /// there exactly once, returns how many times it is there.
+    pub fn apply_and_unindent(&self, file_text: &str) -> Result<String, usize> {
+        let (file_text, old) = (unindent(file_text), unindent(&self.old));
+        match file_text.matches(&old).count() {
+            1 => Ok(file_text.replace(&old, &self.new)),
+            count => Err(count),
+        }
+    }
+}
+
+/// The text without the blanks at the start of each line.
+fn unindent(text: &str) -> String {
+    let lines: Vec<_> = text.split('\n').map(str::trim_start).collect();
+    lines.join("\n")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const LIST: &str = "# A comment.
+
+@ camera.rs
+
+a short one
+- let a = 1;
+-     let b = 2;
++ let a = 2;
+
+@ ray.rs
+
+one that the book shows
+- a
++ b
+! shown
+! later step05_phong
+! no step
+? It should be a.
+/ The ray
+\" Everything is blue.
+";
+
+    #[test]
+    fn block_is_a_mistake_of_the_file_above_it() {
+        let [short, long] = &parse_list(Step::Nearest, LIST)[..] else { panic!("two mistakes") };
+        assert_eq!(short.title, "a short one");
+        assert_eq!(short.file, "steps/step03_nearest/src/camera.rs");
+        assert_eq!(short.old, "let a = 1;\n    let b = 2;");
+        assert_eq!(short.new, "let a = 2;");
+        assert_eq!(short.shown, None);
+        assert_eq!(long.file, "steps/step03_nearest/src/ray.rs");
+        let picture = |name, step| MistakePicture { name, step };
+        let shown = ShownMistake {
+            pictures: vec![
+                picture("shown", Step::Nearest),
+                picture("later", Step::Phong),
+                picture("no step", Step::Nearest),
+            ],
+            reason: "It should be a.",
+            section: "The ray",
+            effect: "Everything is blue.",
         };
-        let (file_text, old) = (bare(file_text), bare(&self.old));
-        let is_once = file_text.matches(&old).count() == 1;
-        is_once.then(|| file_text.replace(&old, &self.new))
+        assert_eq!(long.shown, Some(shown));
+    }
+
+    #[test]
+    fn mistake_affects_its_step_and_the_later_ones() {
+        let [mistake, _] = &parse_list(Step::Diffuse, LIST)[..] else { panic!("two mistakes") };
+        let steps: Vec<_> = mistake.affected_steps().collect();
+        assert_eq!(steps, [Step::Diffuse, Step::Phong]);
+    }
+
+    #[test]
+    fn mistake_is_applied_if_its_text_is_there_once() {
+        let [mistake, _] = &parse_list(Step::Rays, LIST)[..] else { panic!("two mistakes") };
+        assert_eq!(mistake.old_and_new_lines(), "- let a = 1;\n-     let b = 2;\n+ let a = 2;");
+        let once = "fn f() {\n    let a = 1;\n    let b = 2;\n}";
+        assert_eq!(mistake.apply_and_unindent(once).as_deref(), Ok("fn f() {\nlet a = 2;\n}"));
+        assert_eq!(mistake.apply_and_unindent(&format!("{once}\n{once}")), Err(2));
+        assert_eq!(mistake.apply_and_unindent("let a = 1;"), Err(0));
     }
 }

@@ -1,32 +1,70 @@
-//! The texts of the list: a program has them in it. A page's module gets them from the page, so
-//! that an edit of the list compiles no module again.
+//! The texts of the list of mistakes. A program includes them. The modules of the pages don't, so
+//! that an edit of the list doesn't compile them again: a page loads the texts and provides them.
 
-use std::array;
+use crate::Step;
+use std::iter;
 use std::sync::OnceLock;
 
-/// What a page has provided.
-static PROVIDED: OnceLock<[&str; 6]> = OnceLock::new();
+/// What separates the texts that a page loads.
+const SEPARATOR: char = '\0';
 
-/// The list of each step, then the table; in a module they are empty until the page has provided
-/// them.
-pub fn mistake_texts() -> [&'static str; 6] {
-    if cfg!(target_arch = "wasm32") {
-        return PROVIDED.get().copied().unwrap_or_default();
-    }
-    [
+const STEP_COUNT: usize = Step::ALL.len();
+
+const INCLUDED: MistakeTexts = MistakeTexts {
+    lists: [
         include_str!("../mistakes/step01_rays.txt"),
         include_str!("../mistakes/step02_sphere.txt"),
         include_str!("../mistakes/step03_nearest.txt"),
         include_str!("../mistakes/step04_diffuse.txt"),
         include_str!("../mistakes/step05_phong.txt"),
-        include_str!("../mistakes/table.txt"),
-    ]
+    ],
+    table: include_str!("../mistakes/table.txt"),
+};
+
+static PROVIDED: OnceLock<MistakeTexts> = OnceLock::new();
+
+/// The list of mistakes as text.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MistakeTexts {
+    /// The mistakes of each step.
+    pub lists: [&'static str; STEP_COUNT],
+    /// The table of the pictures that they give.
+    pub table: &'static str,
 }
 
-/// Takes the texts of a module, with a zero byte between them, once.
+impl MistakeTexts {
+    /// All texts in one, for a page.
+    pub fn join(&self) -> String {
+        let texts: Vec<_> = self.lists.into_iter().chain([self.table]).collect();
+        texts.join(&SEPARATOR.to_string())
+    }
+
+    /// Takes apart what [`Self::join`] has joined. Texts that are missing at the end are empty.
+    fn split(joined: &'static str) -> Self {
+        let mut texts = joined.split(SEPARATOR).chain(iter::repeat(""));
+        let mut next = || texts.next().unwrap_or_default();
+        Self { lists: [(); STEP_COUNT].map(|()| next()), table: next() }
+    }
+}
+
+/// The texts, or None in a module to which no page has provided them yet.
+pub fn mistake_texts() -> Option<&'static MistakeTexts> {
+    if cfg!(target_arch = "wasm32") { PROVIDED.get() } else { Some(&INCLUDED) }
+}
+
+/// Provides the joined texts to a module. Only the first call counts.
 pub fn provide_mistake_texts(joined: &str) {
-    PROVIDED.get_or_init(|| {
-        let mut texts = String::from(joined).leak().split('\0');
-        array::from_fn(|_| texts.next().unwrap_or_default())
-    });
+    PROVIDED.get_or_init(|| MistakeTexts::split(String::from(joined).leak()));
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn joined_texts_are_split_again() {
+        assert_eq!(MistakeTexts::split(INCLUDED.join().leak()), INCLUDED);
+        let first = MistakeTexts::split("a\0b");
+        assert_eq!(first, MistakeTexts { lists: ["a", "b", "", "", ""], table: "" });
+    }
 }

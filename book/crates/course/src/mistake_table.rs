@@ -1,5 +1,6 @@
-//! The table of the mistakes' pictures, and the small ones that the book shows: those of a step are
-//! one file, below each other in the order of the table, as a change of a scene changes them all.
+//! The table with a hash of each picture that a mistake gives, and the small pictures that the book
+//! shows. The small pictures of a step are in one file, below each other in the order of the table,
+//! since a change of the scene changes all of them.
 
 use crate::hash::fnv_1a;
 use crate::mistake_files::mistake_texts;
@@ -10,24 +11,27 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 fn table_lines() -> std::str::Lines<'static> {
-    let [.., table] = mistake_texts();
-    table.lines()
+    mistake_texts().map(|texts| texts.table).unwrap_or_default().lines()
 }
 
-/// A number that hardly any two pictures share: FNV-1a, 64 bits of it, of the columns, the
-/// rows and all bytes.
+/// The hash of a picture: FNV-1a with 64 bits, of the columns, the rows and all bytes.
 pub fn hash_picture(picture: &RgbImage) -> u64 {
     let (columns, rows) = picture.dimensions();
     let size = [columns, rows].into_iter().flat_map(u32::to_le_bytes);
     fnv_1a(size.chain(picture.as_raw().iter().copied()))
 }
 
-/// A line of the table, of one mistake: a hash of what decided about its pictures when they were
-/// drawn; then the hash of the picture of its step and of each later one, None where that is right
-/// all the same, or can't be drawn.
-pub type TableRow = (u32, Vec<Option<u64>>);
+/// The row of a mistake in the table.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TableRow {
+    /// A hash of everything that determined its pictures when they were drawn.
+    pub key: u32,
+    /// The hash of the picture of its step and of each later one. A hash is None if that picture
+    /// is right in spite of the mistake, or can't be drawn.
+    pub hashes: Vec<Option<u64>>,
+}
 
-/// The hashes of all pictures that are right, by their names.
+/// The names and hashes of the right pictures.
 pub fn locked_hashes() -> impl Iterator<Item = (&'static str, u64)> {
     table_lines().filter_map(|line| {
         let (name, hash) = line.strip_prefix("= ")?.split_once(' ')?;
@@ -35,36 +39,37 @@ pub fn locked_hashes() -> impl Iterator<Item = (&'static str, u64)> {
     })
 }
 
-/// The rows of the table that is checked in, a mistake each, in the order of the list.
+/// The rows of the table that is checked in, one for each mistake in the order of the list.
 pub fn table_rows() -> impl Iterator<Item = TableRow> {
     table_lines().filter_map(|line| {
         let (key, hashes) = line.split_once(' ')?;
         let key = u32::from_str_radix(key, 16).ok()?;
         let hashes = hashes.split(' ').map(|hash| u64::from_str_radix(hash, 16).ok());
-        Some((key, hashes.collect()))
+        Some(TableRow { key, hashes: hashes.collect() })
     })
 }
 
-/// The mistakes that give a picture, to the last pixel, each with the name of what was drawn,
-/// once for each name; the likeliest first, which are those that the book shows and small ones.
-pub fn find_mistakes_with_hash(hash: u64) -> Vec<(Mistake, &'static str)> {
-    let all = mistakes().into_iter().zip(table_rows());
+/// The mistakes that give the picture with this hash. Each comes with the name of the picture that
+/// should have been drawn, once for each name. The likeliest come first: those that the book shows,
+/// then those that change little.
+pub fn find_mistakes_with_hash(hash: u64) -> Vec<(&'static Mistake, &'static str)> {
+    let all = mistakes().iter().zip(table_rows());
     let mut mistakes_and_names: Vec<_> = all
-        .flat_map(|(mistake, (_, hashes))| {
-            let steps = mistake.affected_steps().zip(hashes);
-            let steps = steps.filter(|(_, one)| *one == Some(hash));
-            steps.map(|(step, _)| (mistake.clone(), step.name())).collect::<Vec<_>>()
+        .flat_map(|(mistake, row)| {
+            let steps = mistake.affected_steps().zip(row.hashes);
+            let steps = steps.filter(move |(_, drawn)| *drawn == Some(hash));
+            steps.map(move |(step, _)| (mistake, step.name()))
         })
         .collect();
     mistakes_and_names.sort_by_key(|(mistake, _)| {
         let size = mistake.old.len().abs_diff(mistake.new.len());
-        (mistake.pictures.is_empty(), mistake.new.lines().count(), size)
+        (mistake.shown.is_none(), mistake.new.lines().count(), size)
     });
     mistakes_and_names
 }
 
-/// The names of all pictures that there are to compare with: those of the steps, and
-/// those of the examples, in the steps' order.
+/// The names of all pictures to compare with: those of the steps, then those of the examples in the
+/// order of their steps.
 pub fn locked_names() -> Vec<&'static str> {
     locked_hashes().map(|(name, _)| name).collect()
 }
@@ -72,8 +77,8 @@ pub fn locked_names() -> Vec<&'static str> {
 /// The columns and rows of a small picture.
 pub const SMALL_SIZE: [u32; 2] = [320, 180];
 
-/// A small picture of another.
-pub fn shrink(picture: &RgbImage) -> RgbImage {
+/// Makes the small picture of a picture.
+pub fn make_small_picture(picture: &RgbImage) -> RgbImage {
     let [columns, rows] = SMALL_SIZE;
     thumbnail(picture, columns, rows)
 }
@@ -83,8 +88,8 @@ pub fn small_pictures_path(workspace: &Path, step: Step) -> PathBuf {
     workspace.join(format!("book/crates/course/mistakes/{}.png", step.name()))
 }
 
-/// The small pictures of a step that are checked in, each with its name in the table; fewer where
-/// the file is not the one of the table.
+/// Reads the small pictures of a step that are checked in, each with its name in the table. If the
+/// file has fewer pictures than the table has names, the last names are missing.
 pub fn read_small_pictures(
     workspace: &Path,
     step: Step,

@@ -7,16 +7,23 @@ use figures::Reply;
 /// name to which a scene belongs; behind a line break, the file's name.
 pub fn check(words: &str, file: &[u8]) -> Reply {
     let draw = |name: &str| {
-        let picture = course::find_picture(name).ok_or_else(|| format!("nothing draws {name}"))?;
-        Ok(picture(&course::camera(), 1))
+        let picture = course::find_picture(name).map(|picture| picture(&course::camera(), 1));
+        picture.ok_or_else(|| format!("nothing draws {name}"))
     };
     let (name, file_name) = words.split_once('\n').unwrap_or((words, ""));
-    let answer = match name.strip_prefix('@') {
+    let result = match name.strip_prefix('@') {
         Some(scene) => check_scene_png(file, file_name, scene),
         None => check_png(file, file_name, Some(name).filter(|name| *name != "*"), draw),
     };
-    let mut fields =
-        vec![("code", answer.verdict.exit_code().to_string()), ("text", json::quote(&answer.text))];
+    let answer = match result {
+        Ok(answer) => answer,
+        Err(error) => {
+            let lines = json::list([json::quote(&error.to_string())]);
+            return Reply::from_json_fields([("code", "2".to_owned()), ("lines", lines)]);
+        }
+    };
+    let lines = json::list(answer.lines().iter().map(|line| json::quote(line)));
+    let mut fields = vec![("code", answer.verdict.exit_code().to_string()), ("lines", lines)];
     let mut pixels = vec![];
     if let Some(difference) = answer.draw_difference() {
         let (width, height) = difference.dimensions();

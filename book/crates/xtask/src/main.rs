@@ -1,6 +1,7 @@
-//! Regenerates what is made from the code and checked in: the table and the small pictures of
-//! the mistakes, and the modules of the book's pages.
+//! Regenerates the files that are made from the code and checked in: the table and the small
+//! pictures of the mistakes, and the modules of the book's pages.
 
+mod error;
 mod mistake_program;
 mod mistakes;
 mod modules;
@@ -9,8 +10,8 @@ mod source_hash;
 mod tests;
 
 use course::target_folder;
+use error::{XtaskError, XtaskResult};
 use std::env;
-use std::error::Error;
 use std::fs::File;
 use std::process::ExitCode;
 
@@ -23,16 +24,17 @@ fn main() -> ExitCode {
 }
 
 /// Draws the mistakes whose code or right picture has changed, and compiles the modules of the
-/// book's pages if their code has changed.
-fn regenerate() -> Result<(), Box<dyn Error>> {
-    if let Some(argument) = env::args().nth(1) {
-        return Err(format!("cargo xtask takes no arguments, and got {argument}").into());
+/// book's pages if their sources have changed.
+fn regenerate() -> XtaskResult<()> {
+    if let Some(argument) = env::args_os().nth(1) {
+        return Err(XtaskError::Argument(argument.display().to_string()));
     }
-    let lock = File::create(target_folder().join("xtask.lock"))?;
+    let path = target_folder().join("xtask.lock");
+    let lock = File::create(&path).map_err(XtaskError::of_file(&path))?;
     if lock.try_lock().is_err() {
         eprintln!("Another cargo xtask is running here; waiting for it to finish.");
-        lock.lock()?;
+        lock.lock().map_err(XtaskError::of_file(&path))?;
     }
-    mistakes::draw_unknown()?;
+    mistakes::draw_new_mistakes()?;
     modules::compile_if_stale()
 }

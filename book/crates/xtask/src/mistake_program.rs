@@ -1,15 +1,17 @@
-//! Many mistakes in one program: each is a module, a copy of the steps from its own on with the
-//! mistake in it. What it does not touch is that of the course.
+//! A program that draws many mistakes. Each mistake is a module with a copy of its step and of the
+//! later ones, with the mistake in it. The earlier steps are those of the course.
 
+use crate::error::{XtaskError, XtaskResult};
 use course::{Mistake, Step, cargo_command, crate_as_module, target_folder, workspace};
 use image::RgbImage;
+use std::fs;
 use std::path::{Path, PathBuf};
-use std::{fs, io};
 
-/// The pictures that a mistake may spoil, each with its step; None where it panics.
-pub type Pictures = Vec<(Step, Option<RgbImage>)>;
+/// The pictures that a mistake may change, each with its step. A picture is None if the program
+/// panics.
+pub type DrawnPictures = Vec<(Step, Option<RgbImage>)>;
 
-/// The manifest of the program, up to the steps; the versions are those of the course's Cargo.lock.
+/// The manifest of the program, up to the steps. The course's Cargo.lock decides on the versions.
 const MANIFEST: &str = r#"
 workspace = {}
 package = { name = "mistakes", edition = "2024" }
@@ -22,7 +24,7 @@ image = { version = "*", default-features = false }
 rayon = "*"
 "#;
 
-/// The program, up to its modules and the list of what it draws.
+/// The main file of the program, up to its modules and the list of what it draws.
 const MAIN: &str = "#![allow(warnings)]
 use rayon::prelude::*;
 
@@ -33,16 +35,17 @@ fn main() {
 ";
 
 /// Draws mistakes in one program, and returns the pictures of each.
-pub fn draw(mistakes: &[&Mistake]) -> io::Result<Vec<Pictures>> {
+pub fn draw_mistakes(mistakes: &[&Mistake]) -> XtaskResult<Vec<DrawnPictures>> {
     let folder = package_folder();
     let _ = fs::remove_dir_all(folder.join("src"));
     write_package(mistakes)?;
     let mut cargo = cargo_command();
     cargo.args(["run", "--quiet", "--offline", "--message-format=short", "--target-dir=target"]);
-    let output = cargo.current_dir(&folder).output()?;
+    let output = cargo.current_dir(&folder).output();
+    let output = output.map_err(|source| XtaskError::Program { program: "cargo", source })?;
     if !output.status.success() {
-        let text = String::from_utf8_lossy(&[output.stderr, output.stdout].concat()).into_owned();
-        return Err(io::Error::other(format!("{text}\nAll is in {}", folder.display())));
+        let output = String::from_utf8_lossy(&[output.stderr, output.stdout].concat()).into_owned();
+        return Err(XtaskError::MistakesNotDrawn { output, folder });
     }
     let read = |k, step: Step| {
         let path = folder.join(format!("{}.png", picture_name(k, step)));
@@ -52,14 +55,21 @@ pub fn draw(mistakes: &[&Mistake]) -> io::Result<Vec<Pictures>> {
     Ok(mistakes.map(|(k, one)| one.affected_steps().map(|step| read(k, step)).collect()).collect())
 }
 
-/// The text of a mistake's file with the mistake in it, no line indented; an error where its
-/// place is not there once.
-pub fn text_with_mistake(mistake: &Mistake) -> io::Result<String> {
-    let text = fs::read_to_string(workspace().join(&mistake.file))?;
-    mistake.apply_and_unindent(&text).ok_or_else(|| {
-        let mistake = title_and_file(mistake);
-        io::Error::other(format!("the text is not there, or not once: {mistake}"))
+/// The text of a mistake's file with the mistake in it, without indentation.
+pub fn text_with_mistake(mistake: &Mistake) -> XtaskResult<String> {
+    let text = read_text(&workspace().join(&mistake.file))?;
+    mistake.apply_and_unindent(&text).map_err(|count| {
+        let (title, file) = (mistake.title, mistake.file.clone());
+        XtaskError::MistakeNotOnce { title, file, count }
     })
+}
+
+fn read_text(path: &Path) -> XtaskResult<String> {
+    fs::read_to_string(path).map_err(XtaskError::of_file(path))
+}
+
+fn write_text(path: &Path, text: &str) -> XtaskResult<()> {
+    fs::write(path, text).map_err(XtaskError::of_file(path))
 }
 
 /// The title and the file of a mistake.
@@ -71,14 +81,13 @@ fn package_folder() -> PathBuf {
     target_folder().join("mistakes")
 }
 
-/// The name under which the program of a step saves its picture with mistake `k`.
+/// The name under which the program saves the picture of a step with the mistake of this index.
 fn picture_name(k: usize, step: Step) -> String {
     format!("src/m{k}/{}", step.name())
 }
 
-/// Writes the package: its manifest, a module for each mistake, and the list of what its main file
-/// draws.
-fn write_package(mistakes: &[&Mistake]) -> io::Result<()> {
+/// Writes the package of the program: its manifest, a module for each mistake, and its main file.
+fn write_package(mistakes: &[&Mistake]) -> XtaskResult<()> {
     let (folder, mut manifest) = (package_folder(), MANIFEST.to_owned());
     for step in Step::NAMES {
         let path = workspace().join("steps").join(step);
@@ -96,27 +105,51 @@ fn write_package(mistakes: &[&Mistake]) -> io::Result<()> {
         modules += "}\n";
     }
     let main = format!("{MAIN}\n{modules}\nconst PICTURES: &[fn()] = &[\n{pictures}];\n");
-    fs::write(folder.join("src/main.rs"), main)?;
-    fs::write(folder.join("Cargo.toml"), manifest)?;
-    fs::copy(workspace().join("Cargo.lock"), folder.join("Cargo.lock")).map(drop)
+    write_text(&folder.join("src/main.rs"), &main)?;
+    write_text(&folder.join("Cargo.toml"), &manifest)?;
+    write_text(&folder.join("Cargo.lock"), &read_text(&workspace().join("Cargo.lock"))?)
 }
 
-/// Writes the library of a step, with the mistake, as a part of `module`.
-fn write_step(source: &Path, mistake: &Mistake, step: &str, module: &str) -> io::Result<()> {
+/// Writes the library of a step with the mistake in it, as a part of `module`.
+fn write_step(source: &Path, mistake: &Mistake, step: &str, module: &str) -> XtaskResult<()> {
     let folder = source.join(module).join(step);
-    fs::create_dir_all(&folder)?;
-    for entry in fs::read_dir(workspace().join(format!("steps/{step}/src")))? {
-        let file = entry?.file_name().into_string().unwrap_or_default();
+    fs::create_dir_all(&folder).map_err(XtaskError::of_file(&folder))?;
+    let step_folder = workspace().join(format!("steps/{step}/src"));
+    let entries = fs::read_dir(&step_folder).map_err(XtaskError::of_file(&step_folder))?;
+    for entry in entries {
+        let entry = entry.map_err(XtaskError::of_file(&step_folder))?;
+        let file = entry.file_name().into_string().unwrap_or_default();
         let path = format!("steps/{step}/src/{file}");
         let text = if path == mistake.file {
             text_with_mistake(mistake)?
         } else {
-            fs::read_to_string(workspace().join(&path))?
+            read_text(&workspace().join(&path))?
         };
         let siblings = mistake.affected_steps().map(Step::name);
         let text = crate_as_module(&text, &format!("{module}::{step}"), siblings);
         let file = if file == "lib.rs" { "mod.rs" } else { &file };
-        fs::write(folder.join(file), text)?;
+        write_text(&folder.join(file), &text)?;
     }
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn picture_is_named_by_its_mistake_and_its_step() {
+        assert_eq!(picture_name(7, Step::Nearest), "src/m7/step03_nearest");
+    }
+
+    #[test]
+    fn mistake_whose_code_is_gone_is_an_error() {
+        let mut mistake = course::mistakes()[0].clone();
+        assert!(text_with_mistake(&mistake).is_ok_and(|text| text.contains(&mistake.new)));
+        mistake.old = "no such code".to_owned();
+        let error = text_with_mistake(&mistake).expect_err("the code isn't there");
+        let message = "the code of the mistake \"the angle is in degrees\" is 0 times in \
+                       steps/step01_rays/src/program.rs, and not once";
+        assert_eq!(error.to_string(), message);
+    }
 }

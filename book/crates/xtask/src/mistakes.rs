@@ -1,111 +1,117 @@
-//! The table of the mistakes, and the small pictures of those that the book shows.
+//! Draws mistakes, for the table and for the small pictures that the book shows.
 
-use crate::mistake_program::{self, Pictures, text_with_mistake, title_and_file};
+use crate::error::{XtaskError, XtaskResult};
+use crate::mistake_program::{self, DrawnPictures, text_with_mistake, title_and_file};
 use crate::source_hash::{code_lines, hash_texts};
 use course::{
-    Mistake, PICTURES, SMALL_SIZE, Step, encode_png, hash_picture, mistakes, read_locked_picture,
-    read_small_pictures, shrink, small_pictures_path, table_rows, workspace,
+    Mistake, MistakePicture, PICTURES, SMALL_SIZE, Step, encode_png, hash_picture,
+    make_small_picture, mistakes, read_locked_picture, read_small_pictures, small_pictures_path,
+    table_rows, workspace,
 };
 use image::RgbImage;
 use image::imageops::replace;
 use std::collections::HashMap;
-use std::error::Error;
-use std::{fs, io};
+use std::fs;
 
-/// The most mistakes in one program: as many as a compiler takes with little memory. What is
-/// drawn is written after each program, and not drawn again where the command was stopped.
+/// The most mistakes in one program. More would take the compiler too much memory. The results are
+/// written after each program, so that a command that was stopped goes on from there.
 const BATCH_SIZE: usize = 60;
 
-/// The mistakes, and what is made from them: the rows by their keys, the small pictures by their
-/// names.
+/// The mistakes, and what is known of their pictures: the rows of the table by their keys, and the
+/// small pictures by their names.
 pub struct Table {
     /// The names and hashes of the right pictures.
     right: Vec<(&'static str, u64)>,
     /// All mistakes, each with its key.
-    all: Vec<(u32, Mistake)>,
+    all: Vec<(u32, &'static Mistake)>,
     rows: HashMap<u32, Vec<Option<u64>>>,
     small_pictures: HashMap<&'static str, RgbImage>,
 }
 
-/// Draws the mistakes that the table does not know.
-pub fn draw_unknown() -> Result<(), Box<dyn Error>> {
+/// Draws the mistakes that aren't in the table.
+pub fn draw_new_mistakes() -> XtaskResult<()> {
     let mut table = Table::read()?;
-    let unknown: Vec<_> = table.unknown().cloned().collect();
-    println!("Mistakes to draw: {}", unknown.len());
-    for batch in unknown.chunks(BATCH_SIZE) {
-        let mistakes: Vec<_> = batch.iter().map(|(_, mistake)| mistake).collect();
-        for ((key, mistake), pictures) in batch.iter().zip(mistake_program::draw(&mistakes)?) {
+    let new: Vec<_> = table.new_mistakes().copied().collect();
+    println!("Mistakes to draw: {}", new.len());
+    for batch in new.chunks(BATCH_SIZE) {
+        let mistakes: Vec<_> = batch.iter().map(|(_, mistake)| *mistake).collect();
+        for ((key, mistake), pictures) in
+            batch.iter().zip(mistake_program::draw_mistakes(&mistakes)?)
+        {
             table.insert(*key, mistake, &pictures);
         }
         table.write()?;
         println!("{} drawn", batch.len());
     }
-    Ok(table.write()?)
+    table.write()
 }
 
-/// A hash of what decides about a mistake's pictures: its code, what is right, and the names and
-/// steps of those that the book shows.
-pub fn key(mistake: &Mistake, right: &[(&str, u64)]) -> io::Result<u32> {
+/// A hash of everything that determines a mistake's pictures: its code, the right pictures, and the
+/// names and steps of the pictures that the book shows.
+pub fn mistake_key(mistake: &Mistake, right: &[(&str, u64)]) -> XtaskResult<u32> {
     let steps: Vec<_> = mistake.affected_steps().map(Step::name).collect();
     let right = right.iter().filter(|(name, _)| steps.contains(name));
     let right = right.map(|(_, hash)| hash.to_string());
-    let shown = mistake.pictures.iter().map(|(name, step)| format!("{name} {}", step.name()));
+    let shown = mistake.pictures().iter();
+    let shown = shown.map(|picture| format!("{} {}", picture.name, picture.step.name()));
     let code = code_lines(&text_with_mistake(mistake)?);
     Ok(hash_texts(right.chain(shown).chain([code])) as u32)
 }
 
 impl Table {
-    /// Reads the list, the right pictures, and what was made from both.
-    pub fn read() -> Result<Self, Box<dyn Error>> {
+    /// Reads the list, the right pictures, and what is checked in.
+    pub fn read() -> XtaskResult<Self> {
         let (mut right, mut all) = (vec![], vec![]);
         for (name, _) in PICTURES {
             right.push((*name, hash_picture(&read_locked_picture(name)?)));
         }
         for mistake in mistakes() {
-            all.push((key(&mistake, &right)?, mistake));
+            all.push((mistake_key(mistake, &right)?, mistake));
         }
-        let rows = table_rows().filter(|(_, hashes)| hashes.iter().any(Option::is_some));
+        let rows = table_rows().filter(|row| row.hashes.iter().any(Option::is_some));
+        let rows = rows.map(|row| (row.key, row.hashes)).collect();
         let pictures = Step::ALL.map(|step| read_small_pictures(&workspace(), step));
         let small_pictures = pictures.into_iter().flatten().flatten().collect();
-        Ok(Self { right, all, rows: rows.collect(), small_pictures })
+        Ok(Self { right, all, rows, small_pictures })
     }
 
-    /// The mistakes that were not drawn with the code and the right pictures of today.
-    pub fn unknown(&self) -> impl Iterator<Item = &(u32, Mistake)> {
+    /// The mistakes that haven't been drawn with the present code and right pictures.
+    pub fn new_mistakes(&self) -> impl Iterator<Item = &(u32, &'static Mistake)> {
         self.all.iter().filter(|(key, mistake)| {
-            let mut names = mistake.pictures.iter().map(|(name, _)| name);
-            !self.rows.contains_key(key) || names.any(|one| !self.small_pictures.contains_key(one))
+            let has_picture =
+                |picture: &MistakePicture| self.small_pictures.contains_key(picture.name);
+            !self.rows.contains_key(key) || !mistake.pictures().iter().all(has_picture)
         })
     }
 
-    fn insert(&mut self, key: u32, mistake: &Mistake, pictures: &Pictures) {
+    fn insert(&mut self, key: u32, mistake: &Mistake, pictures: &DrawnPictures) {
         let hash = |(step, picture): &(Step, Option<RgbImage>)| {
             let hash = hash_picture(picture.as_ref()?);
             (!self.right.contains(&(step.name(), hash))).then_some(hash)
         };
         let hashes: Vec<_> = pictures.iter().map(hash).collect();
         if hashes.iter().all(Option::is_none) {
-            println!("shows in no picture: {}", title_and_file(mistake));
+            println!("can be seen in no picture: {}", title_and_file(mistake));
         }
         self.rows.insert(key, hashes);
-        for (name, shown_step) in &mistake.pictures {
-            self.small_pictures.remove(name);
-            let picture = pictures.iter().find(|(step, _)| step == shown_step);
-            if let Some((_, Some(picture))) = picture {
-                self.small_pictures.insert(name, shrink(picture));
+        for shown in mistake.pictures() {
+            self.small_pictures.remove(shown.name);
+            let drawn = pictures.iter().find(|(step, _)| *step == shown.step);
+            if let Some((_, Some(drawn))) = drawn {
+                self.small_pictures.insert(shown.name, make_small_picture(drawn));
             }
         }
     }
 
     /// The small pictures of a step with their names, in the order of the list.
     fn step_pictures(&self, step: Step) -> Vec<(&'static str, &RgbImage)> {
-        let shown = self.all.iter().flat_map(|(_, mistake)| &mistake.pictures);
-        let names = shown.filter(|(_, shown_step)| *shown_step == step).map(|(name, _)| *name);
-        names.filter_map(|name| Some((name, self.small_pictures.get(name)?))).collect()
+        let shown = self.all.iter().flat_map(|(_, mistake)| mistake.pictures());
+        let shown = shown.filter(|picture| picture.step == step);
+        shown.filter_map(|one| Some((one.name, self.small_pictures.get(one.name)?))).collect()
     }
 
-    /// The table: the hashes of what is right, the names of the small pictures, and a row for
-    /// each mistake.
+    /// The table as text: the hashes of the right pictures, the names of the small pictures, and a
+    /// row for each mistake.
     pub fn text(&self) -> String {
         let mut text = String::new();
         for (name, hash) in &self.right {
@@ -124,7 +130,7 @@ impl Table {
     }
 
     /// Writes the small pictures, then the table.
-    fn write(&self) -> io::Result<()> {
+    fn write(&self) -> XtaskResult<()> {
         for step in Step::ALL {
             let pictures = self.step_pictures(step);
             let [columns, rows] = SMALL_SIZE;
@@ -134,10 +140,11 @@ impl Table {
             }
             let path = small_pictures_path(&workspace(), step);
             if !image::open(&path).is_ok_and(|old| old.into_rgb8() == column) {
-                fs::write(path, encode_png(&column))?;
+                fs::write(&path, encode_png(&column)).map_err(XtaskError::of_file(&path))?;
             }
         }
-        fs::write(workspace().join("book/crates/course/mistakes/table.txt"), self.text())
+        let path = workspace().join("book/crates/course/mistakes/table.txt");
+        fs::write(&path, self.text()).map_err(XtaskError::of_file(&path))
     }
 }
 
@@ -146,24 +153,24 @@ mod tests {
     use super::*;
     use crate::mistake_program::title_and_file;
 
-    fn unknown_titles(table: &Table) -> Vec<String> {
-        table.unknown().map(|(_, mistake)| title_and_file(mistake)).collect()
+    fn new_titles(table: &Table) -> Vec<String> {
+        table.new_mistakes().map(|(_, mistake)| title_and_file(mistake)).collect()
     }
 
     #[test]
-    fn mistake_without_its_row_or_one_small_picture_is_unknown() {
+    fn mistake_without_its_row_or_one_small_picture_is_new() {
         let read = || Table::read().expect("the list and the table");
         let (mut without_row, mut without_picture) = (read(), read());
-        let known = unknown_titles(&without_row);
-        let is_shown = |(_, mistake): &&(u32, Mistake)| {
-            !mistake.pictures.is_empty() && !known.contains(&title_and_file(mistake))
+        let known = new_titles(&without_row);
+        let is_shown = |(_, mistake): &&(u32, &Mistake)| {
+            mistake.shown.is_some() && !known.contains(&title_and_file(mistake))
         };
-        let (key, mistake) = without_row.all.iter().rfind(is_shown).expect("a mistake").clone();
-        let expected = [title_and_file(&mistake)];
+        let (key, mistake) = without_row.all.iter().rfind(is_shown).copied().expect("a mistake");
+        let expected = [title_and_file(mistake)];
         without_row.rows.remove(&key);
-        without_picture.small_pictures.remove(mistake.pictures[0].0);
+        without_picture.small_pictures.remove(mistake.pictures()[0].name);
         for table in [without_row, without_picture] {
-            let mut titles = unknown_titles(&table);
+            let mut titles = new_titles(&table);
             titles.retain(|title| !known.contains(title));
             assert_eq!(titles, expected);
         }

@@ -1,24 +1,24 @@
-//! The modules of the book's pages: the package `page`, compiled for the browser with one feature
-//! each. They are checked in, so that nobody needs a second target to build the book; modules.txt
-//! has a hash of what they were made from, and the compiler.
+//! The modules of the book's pages. Each is the package `page`, compiled for the browser with one of
+//! its features. They are checked in, so that nobody needs a second target to build the book.
+//! modules.txt has a hash of their sources, and the version of the compiler.
 
+use crate::error::{XtaskError, XtaskResult};
 use crate::source_hash::source_hash;
 use course::{MODULES, cargo_command, target_folder, workspace};
-use std::error::Error;
 use std::path::PathBuf;
 use std::process::Command;
-use std::{env, fs, io};
+use std::{env, fs};
 
 const TARGET: &str = "wasm32-unknown-unknown";
 
-/// Whether the modules were made from other sources than those of today.
-pub fn are_stale() -> io::Result<bool> {
+/// Whether the sources have changed since the modules were compiled.
+pub fn are_stale() -> XtaskResult<bool> {
     let text = fs::read_to_string(page_folder().join("modules.txt")).unwrap_or_default();
     Ok(text.split(' ').next() != Some(&*source_hash()?))
 }
 
-/// Compiles the modules, if they are stale.
-pub fn compile_if_stale() -> Result<(), Box<dyn Error>> {
+/// Compiles the modules if they are stale.
+pub fn compile_if_stale() -> XtaskResult<()> {
     if !are_stale()? {
         return Ok(());
     }
@@ -26,19 +26,21 @@ pub fn compile_if_stale() -> Result<(), Box<dyn Error>> {
     for name in MODULES {
         let module = compile(name)?;
         if let Some(folder) = folder_in(&module) {
-            let folder = folder.display();
-            return Err(format!("{name}.wasm contains the path {folder} of this machine").into());
+            return Err(XtaskError::PathInModule { module: name, folder });
         }
         println!("{name}.wasm: {} bytes", module.len());
-        fs::write(page_folder().join(format!("{name}.wasm")), module)?;
+        let path = page_folder().join(format!("{name}.wasm"));
+        fs::write(&path, module).map_err(XtaskError::of_file(&path))?;
     }
     let rustc = env::var_os("RUSTC").unwrap_or("rustc".into());
-    let version = Command::new(rustc).arg("--version").output()?.stdout;
-    let text = format!("{hash} {}", String::from_utf8_lossy(&version));
-    Ok(fs::write(page_folder().join("modules.txt"), text)?)
+    let output = Command::new(rustc).arg("--version").output();
+    let output = output.map_err(|source| XtaskError::Program { program: "rustc", source })?;
+    let text = format!("{hash} {}", String::from_utf8_lossy(&output.stdout));
+    let path = page_folder().join("modules.txt");
+    fs::write(&path, text).map_err(XtaskError::of_file(&path))
 }
 
-fn compile(name: &str) -> Result<Vec<u8>, Box<dyn Error>> {
+fn compile(name: &'static str) -> XtaskResult<Vec<u8>> {
     let sources = registry_source_folders().into_iter().chain([target_folder(), workspace()]);
     let flags: Vec<_> =
         sources.map(|path| format!("--remap-path-prefix={}=", path.display())).collect();
@@ -51,11 +53,13 @@ fn compile(name: &str) -> Result<Vec<u8>, Box<dyn Error>> {
         .args(["--", "-C", "strip=symbols", "-C", "link-arg=--compress-relocations"])
         .env("CARGO_ENCODED_RUSTFLAGS", flags.join("\x1f"))
         .current_dir(workspace())
-        .status()?;
+        .status()
+        .map_err(|source| XtaskError::Program { program: "cargo", source })?;
     if !status.success() {
-        return Err(format!("the module {name} does not compile").into());
+        return Err(XtaskError::ModuleNotCompiled(name));
     }
-    Ok(fs::read(folder.join(TARGET).join("wasm/page.wasm"))?)
+    let path = folder.join(TARGET).join("wasm/page.wasm");
+    fs::read(&path).map_err(XtaskError::of_file(&path))
 }
 
 /// The first of this machine's folders whose path is in the module: the workspace, the target
@@ -78,7 +82,7 @@ fn cargo_home() -> PathBuf {
     home.unwrap_or_else(|| env::home_dir().unwrap_or_default().join(".cargo"))
 }
 
-/// The folders of the packages' sources, one for each registry.
+/// The folders in which Cargo keeps the sources of packages, one for each registry.
 fn registry_source_folders() -> Vec<PathBuf> {
     let folders = fs::read_dir(cargo_home().join("registry/src"));
     folders.into_iter().flatten().flatten().map(|folder| folder.path()).collect()

@@ -1,54 +1,55 @@
-//! Hashes of source text. What a page neither draws nor shows doesn't count: lines of comments and
-//! documentation, blank lines, indentation.
+//! Hashes of source code. Comments, documentation, blank lines and indentation don't count, unless
+//! a page shows them.
 
+use crate::error::{XtaskError, XtaskResult};
 use course::{fnv_1a, workspace};
+use std::fs;
 use std::path::{Path, PathBuf};
-use std::{fs, io};
 
-/// The folders of what a module may be made from.
+/// The folders with the sources of the modules.
 const FOLDERS: [&str; 5] =
     ["steps", "book/crates/check", "book/crates/course", "book/crates/figures", "book/crates/page"];
 
-/// What those folders have besides: the hash, the list of mistakes, which a page loads by itself,
-/// and tests.
+/// Files and folders in them that are not sources: the hash, the list of mistakes, which a page
+/// loads separately, and tests.
 const NO_SOURCES: [&str; 4] = ["modules.txt", "mistakes", "tests", "benches"];
 
-/// What a page shows as it is, and lets a reader copy: there comments and indentation count, too.
+/// Sources that a page shows, so that readers may copy them. Their comments and their indentation
+/// count, too.
 const SHOWN: [&str; 3] =
     ["examples/own_scene.rs", "examples/look_at.rs", "course/src/scene_program.rs"];
 
-/// The hash of what the modules are made from: the code of all sources and manifests, and what a
-/// page shows.
-pub fn source_hash() -> io::Result<String> {
+/// The hash of all sources of the modules, manifests included.
+pub fn source_hash() -> XtaskResult<String> {
     let mut files = ["Cargo.toml", "Cargo.lock"].map(|file| workspace().join(file)).to_vec();
     for folder in FOLDERS {
         push_files(&workspace().join(folder), &mut files)?;
     }
     files.sort();
     let source_text = |path: &PathBuf| {
-        let text = fs::read_to_string(path)?;
+        let text = fs::read_to_string(path).map_err(XtaskError::of_file(path))?;
         let is_shown = SHOWN.iter().any(|end| path.ends_with(end));
         Ok(if is_shown { text } else { code_lines(&text) })
     };
-    let texts: io::Result<Vec<_>> = files.iter().map(source_text).collect();
+    let texts: XtaskResult<Vec<_>> = files.iter().map(source_text).collect();
     Ok(format!("{:016x}", hash_texts(texts?)))
 }
 
-/// The hash of texts, one after the other.
+/// The hash of several texts.
 pub fn hash_texts(texts: impl IntoIterator<Item = String>) -> u64 {
     fnv_1a(texts.into_iter().flat_map(|text| text.into_bytes().into_iter().chain([0])))
 }
 
-/// The lines of code, but for blank ones and comments.
+/// The code without blank lines, comments and indentation.
 pub fn code_lines(code: &str) -> String {
     let lines = code.lines().map(str::trim);
     let lines = lines.filter(|line| !line.is_empty() && !line.starts_with("//"));
     lines.collect::<Vec<_>>().join("\n")
 }
 
-fn push_files(folder: &Path, files: &mut Vec<PathBuf>) -> io::Result<()> {
-    for entry in fs::read_dir(folder)? {
-        let path = entry?.path();
+fn push_files(folder: &Path, files: &mut Vec<PathBuf>) -> XtaskResult<()> {
+    for entry in fs::read_dir(folder).map_err(XtaskError::of_file(folder))? {
+        let path = entry.map_err(XtaskError::of_file(folder))?.path();
         let name = path.file_name().and_then(|name| name.to_str()).unwrap_or_default();
         let end = path.extension().and_then(|end| end.to_str()).unwrap_or_default();
         if NO_SOURCES.contains(&name) {
@@ -61,4 +62,23 @@ fn push_files(folder: &Path, files: &mut Vec<PathBuf>) -> io::Result<()> {
         }
     }
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn comments_blank_lines_and_indentation_are_no_code() {
+        let code = "//! A file.\n\nfn f() {\n    // Why.\n    g(); // here\n}\n";
+        assert_eq!(code_lines(code), "fn f() {\ng(); // here\n}");
+    }
+
+    #[test]
+    fn hash_depends_on_where_a_text_ends() {
+        let hash = |texts: &[&str]| hash_texts(texts.iter().map(|&text| text.to_owned()));
+        assert_ne!(hash(&["ab", "c"]), hash(&["a", "bc"]));
+        assert_ne!(hash(&["a"]), hash(&["a", ""]));
+        assert_eq!(hash(&["a", "b"]), hash(&["a", "b"]));
+    }
 }

@@ -1,9 +1,9 @@
-//! What is checked in and made from the code is what the code says today.
+//! The files that are made from the code and checked in are up to date.
 
 use crate::mistake_program::title_and_file;
-use crate::mistakes::{Table, key};
+use crate::mistakes::{Table, mistake_key};
 use crate::modules;
-use course::{Step, mistake_texts, mistakes};
+use course::{MistakePicture, Step, mistake_texts, mistakes};
 use std::collections::HashSet;
 use std::env;
 use std::io::{Write, stderr};
@@ -14,7 +14,7 @@ fn modules_are_made_from_the_code_of_today() {
     let is_stale = modules::are_stale().expect("the sources can be read");
     assert!(!is_stale || env::var("CI").as_deref() != Ok("true"), "{note}");
     if is_stale {
-        // What a test prints is hidden where it passes; this is not.
+        // Unlike println, this is shown even if the test passes.
         let _ = writeln!(stderr(), "\nNote: {note}");
     }
 }
@@ -22,19 +22,25 @@ fn modules_are_made_from_the_code_of_today() {
 #[test]
 fn the_table_knows_each_mistake_and_what_is_right() {
     let table = Table::read().expect("each mistake has its place, and the table can be read");
-    let unknown: Vec<_> = table.unknown().map(|(_, mistake)| title_and_file(mistake)).collect();
-    assert!(unknown.is_empty(), "`cargo xtask` draws what is new:\n{}", unknown.join("\n"));
-    let [.., text] = mistake_texts();
-    assert!(table.text() == text, "the table is another: `cargo xtask` writes it anew");
+    let new: Vec<_> = table.new_mistakes().map(|(_, mistake)| title_and_file(mistake)).collect();
+    assert!(new.is_empty(), "`cargo xtask` draws these new mistakes:\n{}", new.join("\n"));
+    let texts = mistake_texts().expect("a program includes the texts");
+    assert!(table.text() == texts.table, "the table has changed: `cargo xtask` writes it");
 }
 
 #[test]
 fn picture_of_another_name_or_step_is_drawn_again() {
-    let mut mistake = mistakes().remove(0);
-    let known = key(&mistake, &[]).ok();
-    for picture in [("degrees", Step::Phong), ("another", Step::Rays)] {
-        mistake.pictures = vec![picture];
-        assert_ne!(known, key(&mistake, &[]).ok(), "{picture:?}");
+    let mut mistake = mistakes()[0].clone();
+    let known = mistake_key(&mistake, &[]).ok();
+    let shown = mistake.shown.as_mut().expect("the book shows the first mistake");
+    let picture = shown.pictures[0];
+    for changed in [
+        MistakePicture { step: Step::Phong, ..picture },
+        MistakePicture { name: "another", ..picture },
+    ] {
+        let mut mistake = mistakes()[0].clone();
+        mistake.shown.as_mut().expect("it is shown").pictures = vec![changed];
+        assert_ne!(known, mistake_key(&mistake, &[]).ok(), "{changed:?}");
     }
 }
 
@@ -42,10 +48,16 @@ fn picture_of_another_name_or_step_is_drawn_again() {
 fn each_mistake_is_a_change_and_listed_once() {
     let mut changes = HashSet::new();
     for mistake in mistakes() {
-        let title = title_and_file(&mistake);
+        let title = title_and_file(mistake);
         assert_ne!(mistake.old, mistake.new, "{title}");
-        let is_of_step = |(name, step): &(&str, _)| !name.contains(' ') && mistake.step <= *step;
-        assert!(mistake.pictures.iter().all(is_of_step), "{title}: {:?}", mistake.pictures);
+        if let Some(shown) = &mistake.shown {
+            let is_valid = |picture: &MistakePicture| {
+                !picture.name.contains(' ') && picture.step >= mistake.step
+            };
+            assert!(shown.pictures.iter().all(is_valid), "{title}: {:?}", shown.pictures);
+            let texts = [shown.reason, shown.section, shown.effect];
+            assert!(texts.iter().all(|text| !text.is_empty()), "{title} lacks one of {texts:?}");
+        }
         let is_new = changes.insert((mistake.file.clone(), mistake.old_and_new_lines()));
         assert!(is_new, "{title} is listed twice");
     }

@@ -1,5 +1,5 @@
-//! The folders of a class, and the files in a student's. Links aren't followed, and a folder is
-//! read within bounds of its entries and of its depth.
+//! The folders of a class, and the files in a student's folder. Links aren't followed, and there
+//! are limits to how many entries are read, and how deep.
 
 use crate::class::not_looked_at::{NotLookedAt, SkipReason};
 use crate::escape_for_terminal;
@@ -7,21 +7,45 @@ use std::collections::VecDeque;
 use std::ffi::{OsStr, OsString};
 use std::fs::{self, DirEntry};
 use std::path::{Path, PathBuf};
+use thiserror::Error;
 
-/// The most entries of a class's folder, and the most that a student's has with all below it.
+/// The most entries of a class's folder, and the most of a student's folder with all below it.
 pub(crate) const MOST_ENTRIES: usize = 10_000;
 
-/// The most folders in each other, the student's own among them.
+/// How deep folders may be nested, counting the student's own.
 const MOST_FOLDERS: usize = 8;
 
-/// Folders that Git and Cargo fill, and that hold nothing to look at.
+/// Folders that Git and Cargo fill. There is nothing to look at in them.
 const TOOL_FOLDERS: [&str; 2] = [".git", "target"];
 
-/// Extensions of files that may have been meant as a picture.
+/// The extensions of files that may be meant as a picture.
 const PICTURE_EXTENSIONS: [&str; 14] = [
     "png", "jpg", "jpeg", "jfif", "webp", "gif", "bmp", "ppm", "tif", "tiff", "heic", "avif",
     "svg", "pdf",
 ];
+
+/// Why there is nothing to report on. The paths are escaped for a terminal.
+#[derive(Debug, Error)]
+pub enum FolderError {
+    /// The path is no folder, or one that the system refuses to read.
+    #[error("{0} is not a folder that can be read")]
+    Unreadable(String),
+    /// The folder has more entries than are read.
+    #[error("{0} has more than {MOST_ENTRIES} entries")]
+    TooManyEntries(String),
+    /// The folder of a class has no folders.
+    #[error("{folder} has no folders, one for each student{}", with_semicolon(.not_looked_at))]
+    NoStudents {
+        /// The folder of the class.
+        folder: String,
+        /// A clause that names what is there, if anything is.
+        not_looked_at: Option<String>,
+    },
+}
+
+fn with_semicolon(clause: &Option<String>) -> String {
+    clause.as_ref().map(|clause| format!("; {clause}")).unwrap_or_default()
+}
 
 /// The folder of a class.
 pub(crate) struct ClassFolder {
@@ -47,17 +71,17 @@ pub(crate) struct Contents {
 /// A file in a student's folder.
 pub(crate) struct FoundFile {
     pub path: PathBuf,
-    /// The path below the student's folder, for a table.
+    /// The path from the student's folder, as a table shows it.
     pub printable_path: String,
 }
 
 impl FoundFile {
-    /// The file's own name, for a table.
+    /// The name of the file, as a table shows it.
     pub fn printable_name(&self) -> &str {
         self.printable_path.rsplit('/').next().unwrap_or_default()
     }
 
-    /// Whether the file may have been meant as a picture, by the end of its name.
+    /// Whether the extension is one of a file that may be meant as a picture.
     pub fn may_be_picture(&self) -> bool {
         let extension = self.path.extension().unwrap_or_default().to_string_lossy().to_lowercase();
         PICTURE_EXTENSIONS.contains(&&*extension)
@@ -65,7 +89,7 @@ impl FoundFile {
 }
 
 /// Reads the folder of a class, in which each folder is a student's.
-pub(crate) fn read_class_folder(folder: &Path) -> Result<ClassFolder, String> {
+pub(crate) fn read_class_folder(folder: &Path) -> Result<ClassFolder, FolderError> {
     let mut class = ClassFolder { students: vec![], not_looked_at: NotLookedAt::default() };
     for entry in read_top_folder(folder)? {
         let (name, path, kind) = (entry.file_name(), entry.path(), entry.file_type());
@@ -79,15 +103,14 @@ pub(crate) fn read_class_folder(folder: &Path) -> Result<ClassFolder, String> {
     }
     if class.students.is_empty() {
         let folder = printable_name(folder.as_os_str());
-        let clause = class.not_looked_at.clause();
-        let clause = clause.map(|clause| format!("; {clause}")).unwrap_or_default();
-        return Err(format!("{folder} has no folders, one for each student{clause}"));
+        let not_looked_at = class.not_looked_at.clause();
+        return Err(FolderError::NoStudents { folder, not_looked_at });
     }
     Ok(class)
 }
 
-/// Finds somebody's own pictures in a folder; what is below it isn't looked at.
-pub(crate) fn find_own_pictures(folder: &Path) -> Result<Contents, String> {
+/// Finds somebody's own pictures in a folder, but not in folders inside it.
+pub(crate) fn find_own_pictures(folder: &Path) -> Result<Contents, FolderError> {
     let mut contents = Contents::default();
     for entry in read_top_folder(folder)? {
         let (path, printable_path) = (entry.path(), printable_name(&entry.file_name()));
@@ -102,14 +125,14 @@ pub(crate) fn find_own_pictures(folder: &Path) -> Result<Contents, String> {
 /// A folder that is still to be read.
 struct UnreadFolder {
     path: PathBuf,
-    /// The path below the student's folder, with a `/` at its end, or empty for that itself.
+    /// The path from the student's folder with a `/` at its end, or nothing for that folder itself.
     printable_path: String,
-    /// How many folders are around its files, the student's own among them.
+    /// How many folders its files are in, counting the student's own.
     depth: usize,
 }
 
-/// Finds the files in a student's folder and below, breadth first, so that the bound cuts off what
-/// lies deepest.
+/// Finds the files in a student's folder and below. It searches breadth first, so that the limit
+/// cuts off what is deepest.
 pub(crate) fn find_files(student: &StudentFolder) -> Contents {
     let Contents { mut files, mut not_looked_at } = Contents::default();
     let mut entries_left = MOST_ENTRIES;
@@ -153,17 +176,17 @@ pub(crate) fn find_files(student: &StudentFolder) -> Contents {
     Contents { files, not_looked_at }
 }
 
-/// The entries of the folder that somebody names.
-fn read_top_folder(folder: &Path) -> Result<Vec<DirEntry>, String> {
+/// The entries of a folder that is named on the command line.
+fn read_top_folder(folder: &Path) -> Result<Vec<DirEntry>, FolderError> {
     let printable = printable_name(folder.as_os_str());
     read_entries(folder, MOST_ENTRIES).map_err(|reason| match reason {
-        SkipReason::TooManyEntries => format!("{printable} has more than {MOST_ENTRIES} entries"),
-        _ => format!("{printable} is no folder that can be read"),
+        SkipReason::TooManyEntries => FolderError::TooManyEntries(printable),
+        _ => FolderError::Unreadable(printable),
     })
 }
 
-/// The entries of a folder in the order of their names. A folder with more than `most` isn't read
-/// in part, since which part would depend on the file system.
+/// The entries of a folder, sorted by name. If there are more than `most`, none are read, since the
+/// file system would decide which.
 fn read_entries(folder: &Path, most: usize) -> Result<Vec<DirEntry>, SkipReason> {
     let entries = fs::read_dir(folder).map_err(|_| SkipReason::Unreadable)?;
     let entries: Result<Vec<_>, _> = entries.take(most + 1).collect();
@@ -175,8 +198,8 @@ fn read_entries(folder: &Path, most: usize) -> Result<Vec<DirEntry>, SkipReason>
     Ok(entries)
 }
 
-/// A name for a table, in which bytes that aren't UTF-8 are escaped, and so are characters that a
-/// terminal obeys.
+/// A name as a table or a message shows it, with escapes for bytes that aren't UTF-8 and for
+/// characters that a terminal obeys.
 pub(crate) fn printable_name(name: &OsStr) -> String {
     let mut printable = String::new();
     for chunk in name.as_encoded_bytes().utf8_chunks() {
@@ -196,5 +219,18 @@ mod tests {
         use std::os::unix::ffi::OsStrExt;
         let names = [b"J\x94rg", b"J\x81rg"].map(|bytes| printable_name(OsStr::from_bytes(bytes)));
         assert_eq!(names, ["J\\x94rg", "J\\x81rg"]);
+    }
+
+    #[test]
+    fn files_that_may_be_pictures_are_known_by_the_end_of_their_name() {
+        let file = |path: &str| FoundFile { path: path.into(), printable_path: path.to_owned() };
+        for path in ["a.png", "b/c.JPEG", "d.old.svg"] {
+            assert!(file(path).may_be_picture(), "{path}");
+        }
+        for path in ["png", "a.png.zip", "a", ".png"] {
+            assert!(!file(path).may_be_picture(), "{path}");
+        }
+        assert_eq!(file("b/c.png").printable_name(), "c.png");
+        assert_eq!(file("c.png").printable_name(), "c.png");
     }
 }

@@ -2,39 +2,59 @@
 
 use crate::class::folder::{MOST_ENTRIES, StudentFolder, printable_name};
 use crate::class::student::Note;
-use crate::read_bounded_file;
+use crate::{ReadFileError, read_bounded_file};
 use std::collections::{HashMap, HashSet};
 use std::path::Path;
+use thiserror::Error;
 use unicode_normalization::UnicodeNormalization;
 
-/// The names in a list, one a line.
-pub fn read_names(list: &Path) -> Result<Vec<String>, String> {
+/// Why a list of names can't be used. The paths are escaped for a terminal.
+#[derive(Debug, Error)]
+pub enum NamesError {
+    /// The file can't be read.
+    #[error(transparent)]
+    Read(#[from] ReadFileError),
+    /// The file has some other encoding.
+    #[error("{0} is not in UTF-8")]
+    NotUtf8(String),
+    /// The file has only empty lines.
+    #[error("{0} has no names, one a line")]
+    Empty(String),
+    /// The file has more names than a class has folders.
+    #[error("{0} has more than {MOST_ENTRIES} names")]
+    TooMany(String),
+}
+
+/// Reads the names in a list, one a line.
+pub fn read_names(list: &Path) -> Result<Vec<String>, NamesError> {
     let printable = printable_name(list.as_os_str());
-    let text = String::from_utf8(read_bounded_file(list)?);
-    let text = text.map_err(|_| format!("{printable} is not in UTF-8"))?;
+    let Ok(text) = String::from_utf8(read_bounded_file(list)?) else {
+        return Err(NamesError::NotUtf8(printable));
+    };
     let names = text.trim_start_matches('\u{feff}').lines().map(str::trim);
     let names: Vec<_> = names.filter(|name| !name.is_empty()).map(normalize_name).collect();
     match names.len() {
-        0 => Err(format!("{printable} has no names, one a line")),
+        0 => Err(NamesError::Empty(printable)),
         1..=MOST_ENTRIES => Ok(names),
-        _ => Err(format!("{printable} has more than {MOST_ENTRIES} names")),
+        _ => Err(NamesError::TooMany(printable)),
     }
 }
 
-/// A name with each letter as one character (NFC). macOS writes the "ü" in a file's name as two.
+/// The name with each letter as one character (NFC). In the name of a file, macOS writes an "ü" as
+/// two.
 pub fn normalize_name(name: &str) -> String {
     name.nfc().collect()
 }
 
-/// The name of a student's folder in one Unicode form; None if it isn't UTF-8.
+/// The name of a student's folder, normalized. Returns None if it isn't UTF-8.
 fn normalized_folder_name(student: &StudentFolder) -> Option<String> {
     student.name.to_str().map(normalize_name)
 }
 
-/// The names that several folders have, in different Unicode forms.
-pub(crate) struct Doubles(HashSet<String>);
+/// The names that several folders have in different Unicode forms.
+pub(crate) struct DuplicateNames(HashSet<String>);
 
-impl Doubles {
+impl DuplicateNames {
     pub fn new(students: &[StudentFolder]) -> Self {
         let mut seen = HashSet::new();
         let names = students.iter().filter_map(normalized_folder_name);
@@ -47,7 +67,7 @@ impl Doubles {
     }
 }
 
-/// A list of names, and which of them a folder has.
+/// A list of names, and whether there is a folder for each.
 pub(crate) struct NamedFolders<'a> {
     names: &'a [String],
     has_folder: HashMap<&'a str, bool>,
@@ -64,16 +84,46 @@ impl<'a> NamedFolders<'a> {
         Self { names, has_folder }
     }
 
-    /// Notes that the list doesn't have the name of this folder.
+    /// A note if the name of this folder isn't in the list.
     pub fn note(&self, student: &StudentFolder) -> Option<Note> {
         let name = normalized_folder_name(student);
         let is_listed = name.is_some_and(|name| self.has_folder.contains_key(&*name));
         (!is_listed).then_some(Note::NotInList)
     }
 
-    /// The names that no folder has, in the order of the list.
+    /// The names without a folder, in the order of the list.
     pub fn absent(&self) -> impl Iterator<Item = &'a str> {
         let names = self.names.iter().map(|name| &**name);
         names.filter(|name| !self.has_folder[name])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn student(name: &str) -> StudentFolder {
+        StudentFolder { name: name.into(), path: name.into() }
+    }
+
+    #[test]
+    fn names_are_equal_in_each_unicode_form() {
+        assert_eq!(normalize_name("Do\u{308}ra"), "D\u{f6}ra");
+        let students = [student("Do\u{308}ra"), student("D\u{f6}ra"), student("Bob")];
+        let duplicates = DuplicateNames::new(&students);
+        let notes = students.each_ref().map(|student| duplicates.note(student));
+        let both = Some(Note::SameNameInOtherForm);
+        assert!(notes == [both, both, None]);
+    }
+
+    #[test]
+    fn folder_without_a_name_and_name_without_a_folder_are_found() {
+        let names = ["Ada", "D\u{f6}ra"].map(str::to_owned);
+        let students = [student("Do\u{308}ra"), student("Bob")];
+        let named = NamedFolders::new(&names, &students);
+        assert!(
+            students.each_ref().map(|student| named.note(student)) == [None, Some(Note::NotInList)]
+        );
+        assert_eq!(named.absent().collect::<Vec<_>>(), ["Ada"]);
     }
 }

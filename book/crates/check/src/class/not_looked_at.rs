@@ -1,12 +1,12 @@
-//! What in a folder isn't looked at, and why.
+//! Files and folders that aren't looked at, and why.
 
 use std::fmt::{self, Display, Formatter};
 
-/// The most names in a list, and the most in a clause.
+/// The most names in JSON, and the most in a clause.
 const MOST_LISTED: usize = 100;
 const MOST_IN_CLAUSE: usize = 8;
 
-/// What isn't looked at: the first of it, and how much it is in all.
+/// Everything that isn't looked at: its first items, and how many there are.
 #[derive(Default)]
 pub(crate) struct NotLookedAt {
     pub first: Vec<Skipped>,
@@ -22,9 +22,9 @@ pub(crate) struct Skipped {
 /// Why something isn't looked at.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum SkipReason {
-    /// The name of a file isn't that of a picture.
+    /// The file's name is not the name of a picture.
     OtherName,
-    /// A file lies beside the students' folders.
+    /// The file is beside the students' folders, not in one.
     BesideFolders,
     Link,
     ToolFolder,
@@ -46,8 +46,8 @@ impl NotLookedAt {
         self.count == 0
     }
 
-    /// A clause with the first names, and how many more there are; None if there are none. What
-    /// has a reason comes first.
+    /// A clause with the first names, and how many more there are. Names with a reason come first.
+    /// Returns None if everything was looked at.
     pub fn clause(&self) -> Option<String> {
         let mut sorted: Vec<_> = self.first.iter().collect();
         sorted.sort_by_key(|one| one.reason == SkipReason::OtherName);
@@ -73,5 +73,25 @@ impl Display for Skipped {
             SkipReason::Unreadable => " (can't be read)",
         };
         write!(formatter, "{}{reason}", self.printable_path)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn clause_has_first_what_has_a_reason_and_counts_the_rest() {
+        let mut skipped = NotLookedAt::default();
+        assert_eq!(skipped.clause(), None);
+        skipped.add("a.txt".to_owned(), SkipReason::OtherName);
+        skipped.add("b".to_owned(), SkipReason::Link);
+        assert_eq!(skipped.clause().as_deref(), Some("not looked at: b (a link), a.txt"));
+        for k in 0..200 {
+            skipped.add(format!("{k}"), SkipReason::OtherName);
+        }
+        let clause = "not looked at: b (a link), a.txt, 0, 1, 2, 3, 4, 5, 194 more";
+        assert_eq!(skipped.clause().as_deref(), Some(clause));
+        assert_eq!((skipped.first.len(), skipped.count), (100, 202));
     }
 }

@@ -1,16 +1,20 @@
-//! The report on a class, and the one on somebody's own pictures: as a table, as CSV for a
-//! spreadsheet, and as JSON.
+//! The report on a class and the report on somebody's own pictures, each as a table and as JSON.
+//! The report on a class is also available as CSV for a spreadsheet.
 
 use crate::Verdict;
+use crate::class::feedback::FileVerdict;
 use crate::class::not_looked_at::NotLookedAt;
 use crate::class::student::{FileReport, Note, PictureReport, StudentReport};
 use crate::class::table::align;
 use course::json;
 
+/// The verdict on a picture without a file.
+const MISSING: &str = "missing";
+
 /// The report on a class.
 pub struct ClassReport {
     pub(crate) students: Vec<StudentReport>,
-    /// What lies beside the students' folders.
+    /// What is beside the students' folders.
     pub(crate) not_looked_at: NotLookedAt,
 }
 
@@ -20,8 +24,8 @@ pub struct OwnReport {
 }
 
 impl ClassReport {
-    /// The exit code of the program: 2 if something is missing, unreadable or not looked at, 1 if
-    /// a picture that counts has no point, else 0.
+    /// The exit code of the program: 2 if something is missing, unreadable or not looked at; else 1
+    /// if a picture that counts has no point; else 0.
     pub fn exit_code(&self) -> u8 {
         if !self.not_looked_at.is_empty() || self.students.iter().any(needs_a_person) {
             2
@@ -30,7 +34,7 @@ impl ClassReport {
         }
     }
 
-    /// The report for a terminal: a row for each student, and below it one for each picture.
+    /// The report for a terminal: a row for each student, followed by a row for each picture.
     pub fn to_table(&self) -> String {
         let head = ["student", "points", "picture", "verdict", "feedback"];
         let mut rows = vec![head.map(str::to_owned).to_vec()];
@@ -48,8 +52,9 @@ impl ClassReport {
         align(&rows) + &beside.unwrap_or_default()
     }
 
-    /// The report for a spreadsheet, after a mark by which it knows UTF-8. The numbers in `points`
-    /// are those of students, in `point` those of pictures, so that either column has a sum.
+    /// The report for a spreadsheet, which recognises UTF-8 by the mark at the start. The column
+    /// `points` has numbers only in the rows of students and `point` only in those of pictures, so
+    /// that either column can be summed up.
     pub fn to_csv(&self) -> String {
         let mut rows = vec![];
         for student in &self.students {
@@ -104,8 +109,8 @@ impl ClassReport {
 }
 
 impl OwnReport {
-    /// The exit code of the program: 2 if a picture is missing or unreadable or none is there, 1
-    /// if one that counts isn't right, else 0.
+    /// The exit code of the program: 2 if there are no pictures, or one is missing or unreadable;
+    /// else 1 if one that counts isn't right; else 0.
     pub fn exit_code(&self) -> u8 {
         if self.own.pictures.is_empty() || has_missing_or_unreadable(&self.own) {
             2
@@ -141,26 +146,27 @@ impl OwnReport {
 
     fn right_count(&self) -> usize {
         let counted = self.own.pictures.iter().filter(|picture| picture.counts);
-        let is_right = |file: &FileReport| file.feedback.verdict == Verdict::Right;
+        let is_right =
+            |file: &FileReport| file.feedback.verdict == FileVerdict::Compared(Verdict::Right);
         counted.filter(|one| !one.files.is_empty() && one.files.iter().all(is_right)).count()
     }
 }
 
-/// What a table says of a file, or of a picture that is missing.
+/// The row of a file in a table, or of a picture that is missing.
 struct PictureRow {
     picture: String,
-    /// 1 or 0 in the first row of a picture that counts.
+    /// 1 or 0 in the first row of a picture that counts, else None.
     point: Option<u8>,
     verdict: String,
     feedback: String,
     file: Option<String>,
-    /// Whether the picture has other files, too.
+    /// Whether the picture has several files.
     is_one_of_several: bool,
 }
 
 impl PictureRow {
-    /// The sentence, after the file if the picture has several, or if it isn't directly in the
-    /// student's folder: perhaps that holds several students.
+    /// The feedback. The file comes before it if the picture has several, or if the file is in a
+    /// folder of its own, since the student's folder may hold several students.
     fn feedback_with_file(&self) -> String {
         let file = self.file.as_deref();
         let file = file.filter(|file| self.is_one_of_several || file.contains('/'));
@@ -182,7 +188,7 @@ fn rows_of_picture(picture: &PictureReport) -> Vec<PictureRow> {
         return vec![PictureRow {
             picture: name,
             point,
-            verdict: Verdict::Missing.words().to_owned(),
+            verdict: MISSING.to_owned(),
             feedback: String::new(),
             file: None,
             is_one_of_several: false,
@@ -212,13 +218,13 @@ fn pictures_json(student: &StudentReport) -> String {
 }
 
 fn file_json(file: &FileReport) -> String {
-    let fields = [
+    let mut fields = vec![
         ("found", json::quote(&file.printable_path)),
-        ("feedback", json::quote(&file.feedback.sentence)),
         ("verdict", json::quote(file.feedback.verdict.words())),
+        ("feedback", json::quote(&file.feedback.sentence)),
     ];
-    let answer = file.answer.json_fields().into_iter().filter(|(name, _)| *name != "verdict");
-    format!("\n      {}", json::object(fields.into_iter().chain(answer)))
+    fields.extend(file.result.iter().map(|answer| ("answer", answer.to_json())));
+    format!("\n      {}", json::object(fields))
 }
 
 fn not_looked_at_json(not_looked_at: &NotLookedAt) -> String {
@@ -226,14 +232,15 @@ fn not_looked_at_json(not_looked_at: &NotLookedAt) -> String {
     json::object([("count", not_looked_at.count.to_string()), ("first", json::list(first))])
 }
 
-/// What a table says of a student as a whole.
+/// The feedback on a student as a whole.
 fn student_feedback(student: &StudentReport) -> String {
     let notes = student.notes.iter().map(|note: &Note| note.words());
     let clauses = notes.chain(student.not_looked_at.clause());
     clauses.collect::<Vec<_>>().join("; ")
 }
 
-/// Whether something in a student's folder is missing, unreadable, not looked at or noted.
+/// Whether a person should look at a student's folder, since something in it is missing, unreadable
+/// or not looked at, or there is a note on it.
 fn needs_a_person(student: &StudentReport) -> bool {
     !student.notes.is_empty()
         || !student.not_looked_at.is_empty()
@@ -241,7 +248,7 @@ fn needs_a_person(student: &StudentReport) -> bool {
 }
 
 fn has_missing_or_unreadable(student: &StudentReport) -> bool {
-    let is_unreadable = |file: &FileReport| file.feedback.verdict == Verdict::Unreadable;
+    let is_unreadable = |file: &FileReport| file.feedback.verdict == FileVerdict::Unreadable;
     student.pictures.iter().any(|one| one.files.is_empty() || one.files.iter().any(is_unreadable))
 }
 
@@ -277,7 +284,7 @@ impl CsvRow {
     }
 }
 
-/// A cell of text in quotes. What a spreadsheet could take for a formula gets a `'` in front.
+/// A cell with text in quotes. If a spreadsheet could take the text for a formula, a `'` comes first.
 fn text_cell(text: &str) -> String {
     let is_invisible = |c: char| {
         c.is_whitespace() || c.is_control() || matches!(c, '\u{200b}'..='\u{200f}' | '\u{feff}')

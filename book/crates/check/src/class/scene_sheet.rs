@@ -1,21 +1,22 @@
-//! Sheets: the numbers of the scene that belongs to a name, from which a student writes it in
-//! Rust, and problems on paper with these numbers.
+//! The sheet of a name: the numbers of the scene that belongs to it, from which a student writes
+//! the scene in Rust, and problems on paper with these numbers.
 
-use crate::changed_number::{format_numbers, owner_names};
+use crate::changed_number::owner_names;
 use crate::class::table::align;
-use crate::class::write_folder::{NewFile, write_new_folder};
-use crate::comparison::scattered_places;
-use crate::drawing::{Drawing, ObjectHit};
+use crate::class::write_folder::{NewFile, WriteFolderError, write_new_folder};
+use crate::comparison::scattered_positions;
 use crate::escape_for_terminal;
-use crate::wrong_pixel::{format_number, format_vector};
+use crate::number_format::{format_as_typed, format_number, format_vector};
+use crate::step_scene::{ObjectHit, StepScene};
 use course::{Owner, QUANTITIES, camera, fnv_1a, is_obeyed_by_terminals};
 use std::collections::HashMap;
 use std::fmt::Write;
 use std::iter;
 use std::path::Path;
 use step05_phong::{Ray, Terms};
+use thiserror::Error;
 
-/// The files of all sheets on one page each, and of all answers.
+/// The file with all sheets, one on each page, and the file with all answers.
 const SHEETS_FILE: &str = "sheets.html";
 const ANSWERS_FILE: &str = "answers.html";
 
@@ -27,10 +28,31 @@ li { margin: 0.4em 0 }
 .answers section { break-inside: avoid }
 ";
 
+/// Why no sheets were written. The names are escaped for a terminal.
+#[derive(Debug, Error)]
+pub enum SheetError {
+    /// The list has a name twice.
+    #[error("{0} is in the list twice, and each name has one sheet")]
+    Twice(String),
+    /// Two names have the same file.
+    #[error("the sheets of {first} and {second} would have one file, {file}")]
+    SameFile {
+        /// The name that comes first in the list.
+        first: String,
+        /// The other name.
+        second: String,
+        /// The name of the file.
+        file: String,
+    },
+    /// The folder can't be written.
+    #[error(transparent)]
+    Write(#[from] WriteFolderError),
+}
+
 /// What a sheet says.
 struct Sheet {
     name: String,
-    /// The numbers of the balls, the lights and the scene, each with a row of heads.
+    /// A table for the balls, one for the lights and one for the scene. The first row has the heads.
     tables: Vec<Vec<Vec<String>>>,
     instructions: Vec<String>,
     problems: Vec<String>,
@@ -38,28 +60,28 @@ struct Sheet {
 }
 
 /// A pixel to ask about.
-struct Spot {
-    place: (u32, u32),
+struct ProblemPixel {
+    pixel: (u32, u32),
     ray: Ray,
-    /// The balls that the ray meets, in the order of their numbers.
+    /// The hits on all balls that the ray meets, in the order of the scene.
     balls: Vec<ObjectHit>,
     /// The hit that the pixel shows.
     visible: ObjectHit,
 }
 
-/// The sheet of a name, in Markdown. A secret word chooses another scene of the name.
+/// The sheet of a name, in Markdown. A secret word chooses a different scene for the name.
 pub fn format_sheet(name: &str, secret: Option<&str>) -> String {
     Sheet::new(name, secret).to_markdown()
 }
 
-/// Writes the sheets of a class into a folder that doesn't exist yet: each into a file of its
-/// name, and all into one for printing. All are written, or none.
+/// Writes the sheets of a class into a folder that doesn't exist yet: a file for each name, and one
+/// with all sheets for printing. If one can't be written, none is.
 pub fn write_sheets(
     names: &[String],
     secret: Option<&str>,
     has_answers: bool,
     folder: &Path,
-) -> Result<String, String> {
+) -> Result<String, SheetError> {
     let mut files = vec![];
     let mut names_of_files = HashMap::new();
     let sheets: Vec<_> = names.iter().map(|name| Sheet::new(name, secret)).collect();
@@ -67,10 +89,10 @@ pub fn write_sheets(
         let file = file_name(name);
         // Some file systems don't distinguish capitals.
         if let Some(other) = names_of_files.insert(file.to_lowercase(), name) {
-            let [name, other] = [name, other].map(|name| escape_for_terminal(name));
-            return Err(match name == other {
-                true => format!("{name} is in the list twice, and each name has one sheet"),
-                false => format!("the sheets of {other} and {name} would have one file, {file}"),
+            let [first, second] = [other, name].map(|name| escape_for_terminal(name));
+            return Err(match first == second {
+                true => SheetError::Twice(first),
+                false => SheetError::SameFile { first, second, file },
             });
         }
         files.push(NewFile { name: file, text: sheet.to_markdown() });
@@ -81,10 +103,10 @@ pub fn write_sheets(
         let text = html_page("answers", sheets.iter().map(Sheet::answers_to_html));
         files.push(NewFile { name: ANSWERS_FILE.to_owned(), text });
     }
-    write_new_folder(folder, &files)
+    Ok(write_new_folder(folder, &files)?)
 }
 
-/// The name of a sheet's file, without what file systems refuse and terminals obey.
+/// The name of a sheet's file, with `_` for characters that file systems refuse or terminals obey.
 fn file_name(name: &str) -> String {
     let is_refused = |c: char| is_obeyed_by_terminals(c) || "./\\:*?\"<>|".contains(c);
     format!("{}.md", name.replace(is_refused, "_"))
@@ -96,9 +118,9 @@ impl Sheet {
             Some(secret) => format!("{name} {secret}"),
             None => name.to_owned(),
         };
-        let drawing = Drawing::of_name(&scene_name);
+        let scene = StepScene::of_name(&scene_name);
         let tables = [Owner::Object, Owner::Light, Owner::Scene];
-        let tables: Vec<_> = tables.iter().map(|owner| number_table(&drawing, *owner)).collect();
+        let tables: Vec<_> = tables.iter().map(|owner| number_table(&scene, *owner)).collect();
         let (columns, rows) = (camera().h_res, camera().v_res);
         let instructions = [
             format!(
@@ -109,10 +131,10 @@ impl Sheet {
             "Name: ______________________________  Points: _____ of 12".to_owned(),
             "Work with six decimals, and give four.".to_owned(),
         ];
-        // Spellings of a name that have one scene have one pixel.
-        let skipped = fnv_1a(tables.concat().concat().concat().bytes()) % 10_000;
-        let spot = find_spot(&drawing, skipped as usize);
-        let (problems, answers) = spot.map(|spot| spot.problems(&drawing)).unwrap_or_default();
+        // The pixel depends on the numbers, so two spellings with the same scene get the same one.
+        let pixels_to_skip = fnv_1a(tables.concat().concat().concat().bytes()) % 10_000;
+        let pixel = find_problem_pixel(&scene, pixels_to_skip as usize);
+        let (problems, answers) = pixel.map(|pixel| pixel.problems(&scene)).unwrap_or_default();
         Self {
             name: escape_for_terminal(name.trim()),
             tables,
@@ -125,7 +147,7 @@ impl Sheet {
     fn to_markdown(&self) -> String {
         let mut markdown = format!("# The scene of {}\n\n", self.name);
         for table in &self.tables {
-            // Indented, it is code.
+            // Markdown shows indented lines as code.
             let lines = align(table);
             markdown.extend(lines.lines().flat_map(|line| ["    ", line, "\n"]));
             markdown += "\n";
@@ -160,57 +182,57 @@ impl Sheet {
     }
 }
 
-/// A table of all numbers of the objects, the lights or the scene, with a minus as Rust has it.
-fn number_table(drawing: &Drawing, owner: Owner) -> Vec<Vec<String>> {
+/// A table with all numbers of the objects, the lights or the scene, as they are typed in Rust.
+fn number_table(scene: &StepScene, owner: Owner) -> Vec<Vec<String>> {
     let quantities = || QUANTITIES.iter().filter(|one| one.owner == owner && !one.needs_mirrors);
-    let names = owner_names(drawing, owner).into_iter().enumerate();
+    let names = owner_names(scene, owner).into_iter().enumerate();
     let rows = names.map(|(k, name)| {
-        let numbers = quantities().map(|one| {
-            format_numbers(&(one.get)(&drawing.own, k)[..one.numbers.len()]).replace('−', "-")
-        });
+        let numbers =
+            quantities().map(|one| format_as_typed(&(one.get)(&scene.own, k)[..one.numbers.len()]));
         iter::once(name).chain(numbers).collect()
     });
     let head = iter::once("").chain(quantities().map(|one| one.name)).map(str::to_owned);
     iter::once(head.collect()).chain(rows).collect()
 }
 
-/// A pixel that shows a ball in the light of both lights, with a highlight, and another ball behind
-/// it. If there is none, one ball is enough, and then one light. Each number of pixels to skip
-/// chooses one.
-fn find_spot(drawing: &Drawing, skipped: usize) -> Option<Spot> {
+/// A pixel that shows a ball in the light of both lights, with a highlight, and has a second ball
+/// behind it. If there is none, one ball is enough, and then one light. Different
+/// numbers of pixels to skip find different ones.
+fn find_problem_pixel(scene: &StepScene, pixels_to_skip: usize) -> Option<ProblemPixel> {
     let find = |ball_count: usize, light_count: usize| {
         let camera = camera();
-        let places = scattered_places((camera.h_res, camera.v_res));
-        let mut spots = places.skip(skipped).filter_map(|(i, j)| {
+        let pixels = scattered_positions((camera.h_res, camera.v_res));
+        let mut pixels_with_balls = pixels.skip(pixels_to_skip).filter_map(|(i, j)| {
             let ray = camera.ray(i.into(), j.into());
-            spot_of_ray(drawing, (i, j), ray)
+            problem_pixel_of_ray(scene, (i, j), ray)
         });
-        spots.find(|spot| {
-            spot.balls.len() == ball_count && spot.is_lit_by_first(light_count, drawing)
+        pixels_with_balls.find(|found| {
+            found.balls.len() == ball_count && found.is_lit_by_first(light_count, scene)
         })
     };
     find(2, 2).or_else(|| find(1, 2)).or_else(|| find(1, 1))
 }
 
-/// The balls on a ray; None if it shows none, or nearly touches one, where D loses digits.
-fn spot_of_ray(drawing: &Drawing, place: (u32, u32), ray: Ray) -> Option<Spot> {
-    let objects = &drawing.own.scene.objects;
+/// The balls on a ray. Returns None if it shows no ball, or if it nearly touches one, since D loses
+/// digits there.
+fn problem_pixel_of_ray(scene: &StepScene, pixel: (u32, u32), ray: Ray) -> Option<ProblemPixel> {
+    let objects = &scene.own.scene.objects;
     let is_ball = |hit: &ObjectHit| objects[hit.object].name != "ground";
-    let visible = drawing.visible_hit(&ray).filter(is_ball)?;
-    let balls: Vec<_> = drawing.object_hits(&ray).filter(is_ball).collect();
+    let visible = scene.visible_hit(&ray).filter(is_ball)?;
+    let balls: Vec<_> = scene.object_hits(&ray).filter(is_ball).collect();
     let is_clear = |hit: &ObjectHit| {
         let (a, b, c) = objects[hit.object].sphere.coefficients(&ray);
         b * b - 4.0 * a * c > 0.5
     };
-    balls.iter().all(is_clear).then_some(Spot { place, ray, balls, visible })
+    balls.iter().all(is_clear).then_some(ProblemPixel { pixel, ray, balls, visible })
 }
 
-impl Spot {
-    /// Whether each of the first lights is bright here, and one has a highlight.
-    fn is_lit_by_first(&self, light_count: usize, drawing: &Drawing) -> bool {
+impl ProblemPixel {
+    /// Whether the first lights are all bright here, and at least one has a highlight.
+    fn is_lit_by_first(&self, light_count: usize, scene: &StepScene) -> bool {
         let mut sum = Terms::default();
-        for light in &drawing.own.scene.lights[..light_count] {
-            let terms = drawing.light_terms_at_hit(&self.ray, self.visible, light);
+        for light in &scene.own.scene.lights[..light_count] {
+            let terms = scene.light_terms_at_hit(&self.ray, self.visible, light);
             if terms.diffuse.x <= 0.05 {
                 return false;
             }
@@ -219,10 +241,10 @@ impl Spot {
         sum.specular.x > 0.02
     }
 
-    /// The problems, and the answer to each.
-    fn problems(&self, drawing: &Drawing) -> (Vec<String>, Vec<String>) {
-        let (objects, lights) = (&drawing.own.scene.objects, &drawing.own.scene.lights);
-        let Self { place: (i, j), ray, balls, visible } = self;
+    /// The problems, and their answers in the same order.
+    fn problems(&self, scene: &StepScene) -> (Vec<String>, Vec<String>) {
+        let (objects, lights) = (&scene.own.scene.objects, &scene.own.scene.lights);
+        let Self { pixel: (i, j), ray, balls, visible } = self;
         let name = |hit: &ObjectHit| objects[hit.object].name;
         let names: Vec<_> = balls.iter().map(name).collect();
         let nearest = match names.len() {
@@ -232,14 +254,14 @@ impl Spot {
         };
         let p = ray.at(visible.t);
         let normal = step05_phong::normal(&objects[visible.object].sphere, p);
-        let terms = drawing.terms_at_hit(ray, *visible);
+        let terms = scene.terms_at_hit(ray, *visible);
         let coefficients = balls.iter().map(|hit| {
             let (a, b, c) = objects[hit.object].sphere.coefficients(ray);
             let [a, b, c, d] = [a, b, c, b * b - 4.0 * a * c].map(format_number);
             format!("{}: a = {a}, b = {b}, c = {c}, D = {d}", name(hit))
         });
         let hits = balls.iter().map(|hit| format!("{}: t = {}", name(hit), format_number(hit.t)));
-        let directions = iter::zip(lights, drawing.light_names).map(|(light, name)| {
+        let directions = iter::zip(lights, scene.light_names).map(|(light, name)| {
             let (l, d) = light.point_light.direction_from(p);
             format!("{name}: n·l = {}, d = {}", format_number(normal.dot(l)), format_number(d))
         });
@@ -281,7 +303,7 @@ fn join(clauses: impl Iterator<Item = String>) -> String {
     clauses.collect::<Vec<_>>().join("; ")
 }
 
-/// A page to print, of a kind that its style knows.
+/// A page for printing. Its style depends on the kind.
 fn html_page(kind: &str, sections: impl Iterator<Item = String>) -> String {
     let sections: String = sections.map(|html| format!("<section>\n{html}</section>\n")).collect();
     format!(
@@ -298,4 +320,28 @@ fn html_list(items: &[String]) -> String {
 
 fn escape_html(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn name_of_a_file_has_nothing_that_systems_refuse() {
+        assert_eq!(file_name("Ada Lövelace"), "Ada Lövelace.md");
+        assert_eq!(file_name("../a\\b:c\n?"), "___a_b_c__.md");
+    }
+
+    #[test]
+    fn html_is_escaped() {
+        assert_eq!(escape_html("a < b & c > d"), "a &lt; b &amp; c &gt; d");
+        assert_eq!(html_list(&["<b>".to_owned()]), "<ol>\n<li>&lt;b&gt;</li>\n</ol>\n");
+    }
+
+    #[test]
+    fn table_has_a_row_of_heads_and_numbers_as_in_rust() {
+        let table = number_table(&StepScene::of_name("ada"), Owner::Object);
+        assert_eq!(table[0], ["", "the position", "the radius", "R_s", "n", "the colour"]);
+        assert_eq!(table[1][..3], ["ball 1", "(0.65, -0.3, -7.4)", "1.06"]);
+    }
 }

@@ -1,15 +1,16 @@
-//! What one student has handed in, compared with the pictures of the course.
+//! The pictures that one student has handed in, compared with those of the course.
 
 use crate::class::feedback::{Feedback, judge};
 use crate::class::folder::{Contents, FoundFile};
 use crate::class::not_looked_at::{NotLookedAt, SkipReason};
-use crate::{Answer, check_png, escape_for_terminal, find_name_in_file_name, read_bounded_file};
+use crate::target::find_name_in_file_name;
+use crate::{Answer, CheckError, check_png, escape_for_terminal, read_bounded_file};
 use course::{locked_names, read_locked_picture};
 
 /// The most files of one picture that are looked at.
 const MOST_FILES_OF_PICTURE: usize = 8;
 
-/// What is known of a student's folder.
+/// The report on a student's folder.
 pub(crate) struct StudentReport {
     /// The folder's name.
     pub name: String,
@@ -18,22 +19,22 @@ pub(crate) struct StudentReport {
     pub not_looked_at: NotLookedAt,
 }
 
-/// What is known of one picture of a student.
+/// The report on one picture of a student.
 pub(crate) struct PictureReport {
     /// The name of the picture.
     pub picture: &'static str,
-    /// Whether the picture was asked for; all are if none was.
+    /// Whether the picture is required. If no picture is, all count.
     pub counts: bool,
-    /// The files of this name that were looked at, none if it's missing.
+    /// The files of this name that were looked at. There are none if the picture is missing.
     pub files: Vec<FileReport>,
     /// How many files have this name.
     pub file_count: usize,
 }
 
-/// What is known of one file.
+/// The report on one file.
 pub(crate) struct FileReport {
     pub printable_path: String,
-    pub answer: Answer,
+    pub result: Result<Answer, CheckError>,
     pub feedback: Feedback,
 }
 
@@ -63,7 +64,7 @@ impl Note {
 }
 
 impl StudentReport {
-    /// The report on a name that no folder has.
+    /// The report on a name without a folder.
     pub fn without_folder(name: &str, required: &[&'static str]) -> Self {
         let missing = |picture: &&'static str| PictureReport {
             picture,
@@ -79,7 +80,7 @@ impl StudentReport {
         }
     }
 
-    /// How many points the pictures have that count.
+    /// How many of the pictures that count have their point.
     pub fn points(&self) -> usize {
         self.counted().filter(|picture| picture.has_point()).count()
     }
@@ -95,7 +96,7 @@ impl StudentReport {
 }
 
 impl PictureReport {
-    /// Whether the picture has its point: each of its files has to deserve it.
+    /// Whether the picture has its point. Each of its files has to deserve it.
     pub fn has_point(&self) -> bool {
         let deserving = self.files.iter().filter(|file| file.feedback.has_point());
         self.file_count > 0 && deserving.count() == self.file_count
@@ -142,7 +143,7 @@ pub(crate) fn check_student(
     StudentReport { name, pictures, notes, not_looked_at }
 }
 
-/// The picture whose name a file has, if it may have been meant as one.
+/// The picture whose name is in the file's name, if the file may be meant as a picture.
 fn picture_of_file(file: &FoundFile) -> Option<&'static str> {
     let name = file.printable_name();
     find_name_in_file_name(name, locked_names().into_iter()).filter(|_| file.may_be_picture())
@@ -150,13 +151,11 @@ fn picture_of_file(file: &FoundFile) -> Option<&'static str> {
 
 /// Compares a file with the locked picture that it should be.
 fn check_file(file: &FoundFile, picture: &'static str, earlier: &[PictureReport]) -> FileReport {
-    let bytes = read_bounded_file(&file.path);
-    let answer = match &bytes {
-        Ok(png) => check_png(png, file.printable_name(), Some(picture), read_locked_picture),
-        Err(why) => Answer::error(why),
-    };
-    let feedback = judge(&answer, &bytes.unwrap_or_default(), picture, earlier);
-    // The pictures that an answer compares aren't kept.
-    let answer = Answer { compared: None, ..answer };
-    FileReport { printable_path: file.printable_path.clone(), answer, feedback }
+    let png = read_bounded_file(&file.path).map_err(CheckError::from);
+    let result = png
+        .and_then(|png| check_png(&png, file.printable_name(), Some(picture), read_locked_picture));
+    // The pictures of a whole class would take too much memory.
+    let result = result.map(|answer| Answer { compared: None, ..answer });
+    let feedback = judge(&result, earlier);
+    FileReport { printable_path: file.printable_path.clone(), result, feedback }
 }

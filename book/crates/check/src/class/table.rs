@@ -1,6 +1,6 @@
 //! Text in columns.
 
-/// Rows of words in columns, each as wide as its longest word.
+/// Formats rows in columns, each as wide as its longest cell.
 pub(crate) fn align(rows: &[Vec<String>]) -> String {
     let width = |k: usize| rows.iter().map(|row| row[k].chars().count()).max().unwrap_or(0);
     let widths: Vec<_> = (0..rows.first().map_or(0, Vec::len)).map(width).collect();
@@ -9,4 +9,16 @@ pub(crate) fn align(rows: &[Vec<String>]) -> String {
         words.collect::<Vec<_>>().join("  ").trim_end().to_owned() + "\n"
     };
     rows.iter().map(line).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn columns_are_as_wide_as_their_longest_word() {
+        let rows = [["a", "bc", ""], ["öä", "", "d"]].map(|row| row.map(str::to_owned).to_vec());
+        assert_eq!(align(&rows), "a   bc\nöä      d\n");
+        assert_eq!(align(&[]), "");
+    }
 }

@@ -1,8 +1,28 @@
-//! Files that are written all or not at all, into a folder that doesn't exist yet.
+//! Writes all files of a new folder, or none.
 
 use crate::class::folder::printable_name;
 use std::path::Path;
 use std::{fs, io, process};
+use thiserror::Error;
+
+/// Why no folder was written. The paths are escaped for a terminal.
+#[derive(Debug, Error)]
+pub enum WriteFolderError {
+    /// The path has no name at its end, as `..` has none.
+    #[error("{0} is not the name of a new folder")]
+    NoName(String),
+    /// Something has this path already.
+    #[error("{0} exists already; choose a folder that doesn't")]
+    Exists(String),
+    /// The system refused to write.
+    #[error("{folder} can't be written, and no file was: {source}")]
+    Io {
+        /// The path of the folder.
+        folder: String,
+        /// The error of the system.
+        source: io::Error,
+    },
+}
 
 /// A file to write, and its text.
 pub(crate) struct NewFile {
@@ -10,23 +30,26 @@ pub(crate) struct NewFile {
     pub text: String,
 }
 
-/// Writes files into a folder beside the one that is meant, and renames it when all are there.
-/// Returns lines that name them.
-pub(crate) fn write_new_folder(folder: &Path, files: &[NewFile]) -> Result<String, String> {
+/// Writes files into a folder with a temporary name, and renames it once all are there. Returns
+/// lines that name the files.
+pub(crate) fn write_new_folder(
+    folder: &Path,
+    files: &[NewFile],
+) -> Result<String, WriteFolderError> {
     let printable = printable_name(folder.as_os_str());
     let Some(name) = folder.file_name() else {
-        return Err(format!("{printable} is no name of a new folder"));
+        return Err(WriteFolderError::NoName(printable));
     };
     if fs::symlink_metadata(folder).is_ok() {
-        return Err(format!("{printable} exists already; choose a folder that doesn't"));
+        return Err(WriteFolderError::Exists(printable));
     }
     let mut unfinished_name = name.to_owned();
     unfinished_name.push(format!(".{}.part", process::id()));
     let unfinished = folder.with_file_name(unfinished_name);
     let result = write_files(&unfinished, files).and_then(|()| fs::rename(&unfinished, folder));
-    if let Err(error) = result {
+    if let Err(source) = result {
         let _ = fs::remove_dir_all(&unfinished);
-        return Err(format!("{printable} can't be written, and no file was: {error}"));
+        return Err(WriteFolderError::Io { folder: printable, source });
     }
     let lines: String = files.iter().flat_map(|file| ["\n", &file.name]).collect();
     Ok(format!("Written into {printable}:{lines}"))

@@ -50,11 +50,11 @@ fn known_pictures(place: &Place) -> Vec<(String, u64)> {
     let (code_before, code_after) = (&bare[..range.start], &bare[range.end..]);
     let right = locked_hashes().find(|(name, _)| *name == place.step_name());
     let (_, right) = right.expect("a locked picture");
-    let edit = |(mistake, (_, hashes)): (Mistake, TableRow)| {
-        let edited = mistake.apply_and_unindent(&bare).filter(|_| mistake.file == path)?;
+    let edit = |(mistake, row): (&Mistake, TableRow)| {
+        let edited = mistake.apply_and_unindent(&bare).ok().filter(|_| mistake.file == path)?;
         let new = edited.strip_prefix(code_before)?.strip_suffix(code_after)?;
-        Some((new.to_owned(), hashes.first()?.unwrap_or(right)))
+        Some((new.to_owned(), row.hashes.first()?.unwrap_or(right)))
     };
-    let edits = mistakes().into_iter().zip(table_rows()).filter_map(edit);
+    let edits = mistakes().iter().zip(table_rows()).filter_map(edit);
     once((place.code.to_owned(), right)).chain(edits).collect()
 }

@@ -1,26 +1,28 @@
+//! A scene, drawn by the functions of a step.
+
 use course::{OwnScene, Step, named_scene};
 use glam::DVec3;
 use step01_rays::rgb8;
 use step05_phong::{Light, Ray, Terms, ambient, direction_colour, light_terms, normal};
 
 /// A scene, and the functions of a step that draw it.
-pub(crate) struct Drawing {
+pub(crate) struct StepScene {
     pub step: Step,
     pub own: OwnScene,
-    /// Names of the lights, in their order.
+    /// The names of the lights, in the order of the scene.
     pub light_names: [&'static str; 2],
 }
 
-/// The first place where a ray meets an object.
+/// The first point where a ray hits an object.
 #[derive(Clone, Copy)]
 pub(crate) struct ObjectHit {
     pub t: f64,
-    /// The number of the object.
+    /// The index of the object in the scene.
     pub object: usize,
 }
 
-impl Drawing {
-    /// The drawing of a step: its scene has only the objects that the step has.
+impl StepScene {
+    /// The scene of a step, with only the objects that this step has.
     pub fn of_step(step: Step) -> Self {
         let mut scene = step05_phong::scene();
         match step {
@@ -36,13 +38,13 @@ impl Drawing {
         Self { step, own: OwnScene::new(scene), light_names }
     }
 
-    /// The drawing of the scene that belongs to a name.
+    /// The scene that belongs to a name, drawn by step 5.
     pub fn of_name(name: &str) -> Self {
         let light_names = ["the first light", "the second light"];
         Self { step: Step::Phong, own: OwnScene::new(named_scene(name)), light_names }
     }
 
-    /// The names of the objects, with their articles where they need one.
+    /// The names of the objects, with an article unless they end in a number.
     pub fn object_names(&self) -> Vec<String> {
         let names = self.own.scene.objects.iter().map(|object| object.name);
         let has_number = |name: &str| name.ends_with(|c: char| c.is_numeric());
@@ -51,18 +53,18 @@ impl Drawing {
             .collect()
     }
 
-    /// The intensity that a ray gets.
+    /// The intensity of the light along a ray.
     pub fn colour(&self, ray: &Ray) -> DVec3 {
         let hit = self.visible_hit(ray);
         hit.map_or_else(|| direction_colour(ray), |hit| self.colour_at_hit(ray, hit))
     }
 
-    /// The bytes that a ray gets.
+    /// The bytes of the pixel that a ray draws.
     pub fn bytes(&self, ray: &Ray) -> [u8; 3] {
         rgb8(self.colour(ray)).0
     }
 
-    /// The first place on each object that a ray meets, whatever hides it there.
+    /// The first hit on each object along a ray, even if another object hides it.
     pub fn object_hits(&self, ray: &Ray) -> impl Iterator<Item = ObjectHit> {
         self.own.scene.objects.iter().enumerate().filter_map(|(object, one)| {
             let t = one.sphere.intersect(ray).first_hit()?;
@@ -70,12 +72,12 @@ impl Drawing {
         })
     }
 
-    /// The hit that a ray sees.
+    /// The nearest hit along a ray.
     pub fn visible_hit(&self, ray: &Ray) -> Option<ObjectHit> {
         self.object_hits(ray).min_by(|a, b| a.t.total_cmp(&b.t))
     }
 
-    /// The intensity that an object has at a hit, whatever hides it there.
+    /// The intensity of an object at a hit, even if another object hides it.
     pub fn colour_at_hit(&self, ray: &Ray, hit: ObjectHit) -> DVec3 {
         match self.step < Step::Diffuse {
             true => self.own.scene.objects[hit.object].material.matte.diffuse,
@@ -83,7 +85,7 @@ impl Drawing {
         }
     }
 
-    /// The terms of the whole sum at a hit, even if another object hides it.
+    /// The terms of all lights at a hit, even if another object hides it.
     pub fn terms_at_hit(&self, ray: &Ray, hit: ObjectHit) -> Terms {
         let ambient = self.ambient_at_hit(hit);
         let mut terms = Terms { ambient, ..Terms::default() };
@@ -110,5 +112,18 @@ impl Drawing {
             Step::Phong => terms,
             _ => Terms { specular: DVec3::ZERO, ..terms },
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn scene_of_a_step_has_the_objects_of_that_step() {
+        let counts = Step::ALL.map(|step| StepScene::of_step(step).own.scene.objects.len());
+        assert_eq!(counts, [0, 1, 9, 9, 9]);
+        let sphere = StepScene::of_step(Step::Sphere);
+        assert_eq!(sphere.own.scene.objects[0].sphere, step02_sphere::SPHERE);
     }
 }

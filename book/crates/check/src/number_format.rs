@@ -1,0 +1,50 @@
+//! Numbers and vectors, as answers and sheets print them.
+
+use glam::DVec3;
+
+/// Formats a number with four decimals and a typographic minus, such as `−0.5000`.
+pub(crate) fn format_number(number: f64) -> String {
+    match format!("{number:.4}").as_str() {
+        "-0.0000" => "0.0000".to_owned(),
+        text => with_minus(text),
+    }
+}
+
+/// Formats a vector with four decimals, such as `(0.0000, −0.5000, 1.0000)`.
+pub(crate) fn format_vector(vector: DVec3) -> String {
+    format!("({})", vector.to_array().map(format_number).join(", "))
+}
+
+/// Formats one number as `-2.5`, and several as `(1, -2.5, 0)`: as somebody types them in Rust.
+pub(crate) fn format_as_typed(numbers: &[f64]) -> String {
+    let texts: Vec<_> = numbers.iter().map(f64::to_string).collect();
+    let list = texts.join(", ");
+    if numbers.len() == 1 { list } else { format!("({list})") }
+}
+
+/// The text with a typographic minus for each hyphen.
+pub(crate) fn with_minus(text: &str) -> String {
+    text.replace('-', "−")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn number_has_four_decimals_and_a_minus_if_it_is_negative() {
+        assert_eq!(format_number(-0.5), "−0.5000");
+        assert_eq!(format_number(2.0 / 3.0), "0.6667");
+        assert_eq!(format_number(-0.000_06), "−0.0001");
+        assert_eq!(format_number(-0.000_04), "0.0000");
+        assert_eq!(format_number(-0.0), "0.0000");
+        assert_eq!(format_vector(DVec3::new(0.0, -0.5, 1.0)), "(0.0000, −0.5000, 1.0000)");
+    }
+
+    #[test]
+    fn typed_numbers_have_parentheses_unless_there_is_one() {
+        assert_eq!(format_as_typed(&[-2.5]), "-2.5");
+        assert_eq!(format_as_typed(&[1.0, -2.5, 0.0]), "(1, -2.5, 0)");
+        assert_eq!(with_minus(&format_as_typed(&[-1.0])), "−1");
+    }
+}
