@@ -30,7 +30,7 @@ pub use mistake_table::{
 };
 
 mod place;
-pub use place::{Place, all_listed_places};
+pub use place::{OccurrenceError, Place, PlaceNote, ValueType, all_listed_places};
 
 mod crate_as_module;
 pub use crate_as_module::crate_as_module;

@@ -18,7 +18,7 @@ fn places_and_listed_mistakes_are_drawn_by_an_edited_line() {
         for (text, expected) in known_pictures(&place).into_iter().step_by(step) {
             count += 1;
             let picture = parse_expression(&place, &text).and_then(|expression| {
-                draw_edited(&[expression], 640, i64::MAX).map_err(|(_, refusal)| refusal)
+                draw_edited(&[expression], 640, u64::MAX).map_err(|line| line.refusal)
             });
             let line = format!("{}: {text}", place.name);
             match picture {
@@ -29,8 +29,8 @@ fn places_and_listed_mistakes_are_drawn_by_an_edited_line() {
                      has changed, `cargo xtask` makes the table anew"
                 ),
                 Err(refusal) => {
-                    assert_ne!(text, place.code, "{line}: {}", refusal.sentence);
-                    refusals.push(format!("{line}: {}", refusal.sentence));
+                    assert_ne!(text, place.code, "{line}: {refusal}");
+                    refusals.push(format!("{line}: {refusal}"));
                 }
             }
         }
