@@ -9,7 +9,8 @@
 //! - The *locked* pictures; two *compared*, in a sentence and side by side; one as a PNG file.
 //! - The source of a crate as that of a *module*.
 //! - A file *replaced* by what was written beside it.
-//! - The folders of the *workspace*, its modules, a command of Cargo, and JSON.
+//! - The folders of the *workspace*, its modules, a command of Cargo, the *environment* variables
+//!   that switch tests, and JSON.
 
 mod camera;
 mod step;
@@ -67,4 +68,5 @@ pub use terminal::is_obeyed_by_terminals;
 mod workspace;
 pub use workspace::{MODULES, cargo_command, target_folder, workspace};
 
+pub mod environment;
 pub mod json;

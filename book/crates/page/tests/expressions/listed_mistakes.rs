@@ -1,18 +1,19 @@
 //! Each place as it stands draws the locked picture; a listed mistake that is typed into it draws
 //! that mistake's.
 
+use course::environment::is_thorough;
 use course::{
     Mistake, Place, TableRow, all_listed_places, hash_picture, locked_hashes, mistakes, table_rows,
     workspace,
 };
 use page::expressions::{draw_edited, parse_expression};
-use std::{env, fs, iter::once};
+use std::{fs, iter::once};
 
 /// The places as they stand, and a tenth of the listed mistakes that change one place and nothing
-/// else, all where THOROUGH is set.
+/// else, or all of them with THOROUGH=1.
 #[test]
 fn places_and_listed_mistakes_are_drawn_by_an_edited_line() {
-    let step = if env::var_os("THOROUGH").is_some() { 1 } else { 10 };
+    let step = if is_thorough() { 1 } else { 10 };
     let (mut count, mut refusals) = (0, vec![]);
     for place in all_listed_places() {
         for (text, expected) in known_pictures(&place).into_iter().step_by(step) {
