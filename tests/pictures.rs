@@ -6,7 +6,7 @@ use image::{Rgb, RgbImage};
 use insta::assert_binary_snapshot;
 use std::fs;
 use std::path::{Path, PathBuf};
-use tests::{compare_pixels, locked_pictures};
+use support::{compare_pixels, locked_pictures};
 
 /// Defines a test for each of the names.
 macro_rules! test_pictures {
@@ -21,7 +21,7 @@ macro_rules! test_pictures {
 }
 
 course::with_picture_names!(test_pictures);
-tests::with_chapter_picture_names!(test_pictures);
+support::with_chapter_picture_names!(test_pictures);
 
 fn assert_locked_picture(name: &str) {
     let pictures = locked_pictures();

@@ -7,7 +7,7 @@ use course::{camera_with_size, named_scene};
 use fearless_simd::{Level, Simd};
 use glam::{DMat3, DVec3};
 use step05_phong::*;
-use tests::{RandomInputs, test_law};
+use support::{RandomInputs, test_law};
 
 /// Each set of instructions that this machine has, and none.
 fn levels() -> Vec<Level> {
