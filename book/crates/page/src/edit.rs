@@ -134,3 +134,45 @@ fn describe(lines: &[(Place, &str)], picture: &RgbImage) -> Option<String> {
     let (mistake, _) = mistakes.iter().find(|(mistake, name)| *name == step && is_here(mistake))?;
     Some(format!("A known mistake gives the same pixels: {}.", mistake.title))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn parse(words: &str) -> Option<(u32, Vec<(&str, &str)>)> {
+        let edit = Edit::parse(words)?;
+        let lines = edit.lines.iter().map(|(place, text)| (place.name, *text));
+        Some((edit.columns, lines.collect()))
+    }
+
+    #[test]
+    fn words_are_columns_and_lines() {
+        assert_eq!(parse("640 a v.dot(v)"), Some((640, vec![("a", "v.dot(v)")])));
+        let two = Some((16, vec![("normal", "p"), ("byte", "")]));
+        assert_eq!(parse("16 normal p\u{1f}byte "), two);
+    }
+
+    #[test]
+    fn unknown_places_are_left_out() {
+        assert_eq!(parse("320 nowhere 1.0\u{1f}a 1.0"), Some((320, vec![("a", "1.0")])));
+        assert_eq!(parse("320 nowhere 1.0"), None);
+    }
+
+    #[test]
+    fn sizes_that_no_page_asks_for_are_refused() {
+        for words in ["15 a 1.0", "641 a 1.0", "-1 a 1.0", "many a 1.0", "640", ""] {
+            assert_eq!(parse(words), None, "{words}");
+        }
+    }
+
+    #[test]
+    fn reply_has_one_fault_or_one_picture() {
+        let (fault, picture) = (edit("16 a 1"), edit("16 a 1.0"));
+        assert_eq!(
+            fault.text,
+            r#"{"line":"a","from":0,"to":1,"mistake":"Write 1.0: Rust doesn't mix whole numbers with others."}"#
+        );
+        assert!(fault.pixels.is_empty() && picture.text.starts_with(r#"{"size":[16,9],"#));
+        assert_eq!(picture.pixels.len(), 16 * 9 * 4);
+    }
+}

@@ -169,3 +169,64 @@ fn join_runs<const N: usize>(
         apply(&values).ok_or_else(|| Interruption::NoResult(sign.clone()))
     }))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Compiles a line at a place of `value_type`, where `x` is a number and `k` a whole number.
+    fn compile(value_type: ValueType, text: &str) -> Result<Run, Fault> {
+        let place = Place {
+            index: 0,
+            name: "",
+            file: "",
+            has_vectors: true,
+            code: "",
+            value_type,
+            variables: vec![("x", ValueType::F64), ("k", ValueType::I32)],
+            notes: vec![],
+        };
+        let expression = parse_expression(&place, text).map_err(|refusal| refusal.fault)?;
+        Ok(expression.run)
+    }
+
+    /// The value of a line where x is 0.5 and k is 0; None if the program would stop.
+    fn evaluate(value_type: ValueType, text: &str) -> Option<Value> {
+        let mut evaluation = crate::expressions::evaluation::Evaluation::new(1000);
+        let run = compile(value_type, text).expect("a line");
+        evaluation.evaluate(&run, &[Value::F64(0.5), Value::I32(0)]).ok()
+    }
+
+    #[test]
+    fn what_is_the_same_at_each_pixel_is_computed_once() {
+        let is_constant = |text| matches!(compile(ValueType::F64, text), Ok(Run::Constant(_)));
+        assert!(is_constant("2.0 * (1.0 + f64::from(3))"));
+        assert!(is_constant("{ let y = 2.0_f64; y.sqrt() }"));
+        assert!(is_constant("if true { 1.0 } else { x }"));
+        assert!(!is_constant("0.0 * x"));
+    }
+
+    #[test]
+    fn let_takes_the_next_slot_and_gives_it_back() {
+        let text = "{ let a = x + x; ({ let b = a * a; b + a }) - { let c = 8.0 * x; c } }";
+        assert_eq!(evaluate(ValueType::F64, text), Some(Value::F64(-2.0)));
+    }
+
+    #[test]
+    fn operand_that_is_not_needed_cannot_stop_the_program() {
+        for text in [
+            "k == 0 || 1 / k > 0",
+            "k != 0 && 1 / k > 0",
+            "if k == 0 { x < 1.0 } else { 1 / k > 0 }",
+        ] {
+            assert!(evaluate(ValueType::Bool, text).is_some(), "{text}");
+        }
+        assert_eq!(evaluate(ValueType::Bool, "1 / k > 0"), None);
+    }
+
+    #[test]
+    fn division_by_a_known_0_is_refused() {
+        assert_eq!(compile(ValueType::I32, "k / 0").err(), Some(Fault::NoResult));
+        assert_eq!(compile(ValueType::I32, "2147483647 + 1").err(), Some(Fault::NoResult));
+    }
+}

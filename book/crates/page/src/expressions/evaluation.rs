@@ -93,3 +93,25 @@ impl Evaluation {
         Ok(())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn operations_are_spent_to_the_last() {
+        let mut evaluation = Evaluation::new(3);
+        assert!(evaluation.spend(2).is_ok() && evaluation.spend(1).is_ok());
+        assert!(evaluation.spend(0).is_ok() && evaluation.spend(1).is_err());
+    }
+
+    #[test]
+    fn each_evaluation_has_its_own_variables() {
+        let mut evaluation = Evaluation::new(2);
+        for number in [1.0, 2.0] {
+            let value = evaluation.evaluate(&Run::Slot(0), &[Value::F64(number)]);
+            assert_eq!(value.ok(), Some(Value::F64(number)));
+        }
+        assert!(evaluation.evaluate(&Run::Slot(0), &[Value::F64(3.0)]).is_err());
+    }
+}

@@ -166,3 +166,39 @@ static FUNCTIONS: &[&[Function]] = &[
         "f64::clamp", (a: F64, min: F64, max: F64) -> F64 = (min <= max).then(|| a.clamp(min, max));
     },
 ];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use ValueType::{F64, I32, Vector};
+
+    #[test]
+    fn function_is_found_by_its_name_and_types() {
+        let result = |name, types: &[_]| find_function(name, types).map(|found| found.result);
+        assert_eq!(result("*", &[F64, Vector]), Some(Vector));
+        assert_eq!(result("*", &[I32, I32]), Some(I32));
+        assert_eq!(result("*", &[I32, F64]), None);
+        assert_eq!(result("DVec3::dot", &[Vector, Vector]), Some(F64));
+        assert_eq!(result("f64::dot", &[F64, F64]), None);
+        assert_eq!(result("DVec3::ZERO", &[]), Some(Vector));
+    }
+
+    #[test]
+    fn function_has_no_result_where_the_program_would_stop() {
+        let apply = |name, a, b| {
+            let function = find_function(name, &[I32, I32]).expect("a function");
+            (function.apply)(&[Value::I32(a), Value::I32(b)])
+        };
+        assert_eq!(apply("+", i32::MAX, 0), Some(Value::I32(i32::MAX)));
+        assert_eq!(apply("+", i32::MAX, 1), None);
+        assert_eq!(apply("/", 7, 0), None);
+        assert_eq!(apply("%", i32::MIN, -1), None);
+    }
+
+    #[test]
+    fn remainder_of_a_large_quotient_counts_as_more() {
+        let operations = |a, b| remainder_operations(&[Value::F64(a), Value::F64(b)]);
+        assert_eq!((operations(1e15, 1.0), operations(-1e16, 1.0)), (1, 41));
+        assert_eq!(remainder_operations(&[Value::I32(7), Value::I32(2)]), 1);
+    }
+}

@@ -50,3 +50,27 @@ pub fn literal_part(literal: &Lit) -> Result<Part, Refusal> {
         _ => refuse(range, Fault::Literal),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The value of a literal, and whether its type is still open.
+    fn parse(text: &str) -> Result<(Value, bool), Fault> {
+        let literal = syn::parse_str(text).expect("a literal");
+        let part = literal_part(&literal).map_err(|refusal| refusal.fault)?;
+        Ok((part.constant_value().expect("a constant"), part.is_open))
+    }
+
+    #[test]
+    fn literal_has_its_value_and_its_type() {
+        assert_eq!(parse("2"), Ok((Value::I32(2), true)));
+        assert_eq!(parse("2_i32"), Ok((Value::I32(2), false)));
+        assert_eq!(parse("2.5"), Ok((Value::F64(2.5), true)));
+        assert_eq!(parse("1e-3f64"), Ok((Value::F64(0.001), false)));
+        assert_eq!(parse("1e999"), Err(Fault::BeyondF64));
+        for text in ["2_u8", "2.0_f32", "2147483648", "'a'"] {
+            assert_eq!(parse(text), Err(Fault::Literal), "{text}");
+        }
+    }
+}
