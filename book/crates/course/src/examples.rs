@@ -1,9 +1,9 @@
 //! The steps' pictures and their examples as a library: the programs that the chapters run on the
 //! way, and the solutions of the exercises.
 
-#![allow(dead_code, reason = "the main of an example runs as a program only")]
-#![allow(clippy::duplicate_mod, reason = "`crowd` has `mirror` in it")]
-#![allow(missing_docs, reason = "each is a program, and says at its top what it draws")]
+#![allow(dead_code, reason = "the main of an example only runs in its program")]
+#![allow(clippy::duplicate_mod, reason = "`crowd` also declares the module `mirror`")]
+#![allow(missing_docs, reason = "each example says at its top what it draws")]
 
 use crate::Step;
 use image::RgbImage;
@@ -48,7 +48,7 @@ macro_rules! examples {
     };
 }
 
-// The name of an example, its path, and what draws its picture, if it has one of its own.
+// The names of the examples and their paths, and what draws the locked picture of the name.
 examples! {
     $
     pictures {
@@ -89,13 +89,13 @@ examples! {
     }
 }
 
-/// The picture of this name, of a step or an example.
+/// The function that draws the picture of a step or an example with this name.
 pub fn find_picture(name: &str) -> Option<Picture> {
     PICTURES.iter().find(|(known, _)| *known == name).map(|(_, draw)| *draw)
 }
 
 impl Step {
-    /// The function that draws its picture.
+    /// The function that draws the picture of the step.
     pub fn picture(self) -> Picture {
         PICTURES[self as usize].1
     }
