@@ -6,12 +6,11 @@ use image::{Rgb, RgbImage};
 use insta::assert_binary_snapshot;
 use std::fs;
 use std::path::{Path, PathBuf};
-use tests::{compare_pixels, locked_pictures};
+use support::{compare_pixels, locked_pictures};
 
-/// Defines a test for each of the names, and lists them in `TEST_NAMES`.
+/// Defines a test for each of the names.
 macro_rules! test_pictures {
     ($($name:ident)*) => {
-        const TEST_NAMES: &[&str] = &[$(stringify!($name)),*];
         $(
             #[test]
             fn $name() {
@@ -21,16 +20,8 @@ macro_rules! test_pictures {
     };
 }
 
-test_pictures! {
-    step01_rays step02_sphere step03_nearest step04_diffuse step05_phong
-    gradient checkerboard graticule jitter look_at panorama rings
-    disc lens plane quadric
-    all_hits depth many my_scene
-    gamma normals plaster shadows snowman spot sun
-    crowd glass halfway highlight marbles mirror
-    slide_matrix step05_ambient step05_diffuse step05_specular
-    one_ray sixteen_rays open_gate shut_gate speckled shadowed close_up cover goodbye
-}
+course::with_picture_names!(test_pictures);
+support::with_chapter_picture_names!(test_pictures);
 
 fn assert_locked_picture(name: &str) {
     let pictures = locked_pictures();
@@ -42,25 +33,14 @@ fn assert_locked_picture(name: &str) {
 }
 
 #[test]
-fn each_locked_picture_has_a_test_of_its_name() {
-    let names: Vec<_> = locked_pictures().into_iter().map(|(name, ..)| name).collect();
-    let untested: Vec<_> = names.iter().filter(|name| !TEST_NAMES.contains(name)).collect();
-    let undrawn: Vec<_> = TEST_NAMES.iter().filter(|name| !names.contains(name)).collect();
-    assert!(untested.is_empty(), "add to test_pictures! in tests/pictures.rs: {untested:?}");
-    assert!(undrawn.is_empty(), "no locked picture has the name of a test: {undrawn:?}");
-    let pairs = names.iter().zip(TEST_NAMES);
-    let swapped = pairs.into_iter().find(|(name, test_name)| name != test_name);
-    assert_eq!(swapped, None, "the tests are in another order than the locked pictures");
-}
-
-#[test]
 fn each_snapshot_has_a_test_of_its_name() {
     let files = fs::read_dir(workspace().join("tests/snapshots")).expect("a folder").flatten();
     let names = files.map(|file| file.file_name().to_string_lossy().into_owned());
+    let tested: Vec<_> = locked_pictures().into_iter().map(|(name, ..)| name).collect();
     let is_tested = |file: &String| {
         let (name, extension) = file.split_once('.').unwrap_or((file, ""));
         extension.starts_with("snap.new")
-            || TEST_NAMES.contains(&name) && ["snap", "snap.png"].contains(&extension)
+            || tested.contains(&name) && ["snap", "snap.png"].contains(&extension)
     };
     let orphans: Vec<_> = names.filter(|file| !is_tested(file)).collect();
     assert!(orphans.is_empty(), "no test draws {orphans:?}");

@@ -1,13 +1,13 @@
 //! `fast` draws the same bytes as `render` with `colour`.
 
 use super::fast::draw;
+use course::environment::is_thorough;
 use course::examples::look_at::look_at;
 use course::{camera_with_size, named_scene};
 use fearless_simd::{Level, Simd};
 use glam::{DMat3, DVec3};
-use std::env;
 use step05_phong::*;
-use tests::{RandomInputs, test_law};
+use support::{RandomInputs, test_law};
 
 /// Each set of instructions that this machine has, and none.
 fn levels() -> Vec<Level> {
@@ -69,7 +69,7 @@ fn random_camera(random: &mut RandomInputs) -> Camera {
 
 #[test]
 fn fast_draws_the_bytes_of_render_for_any_scene() {
-    test_law(if env::var_os("THOROUGH").is_some() { 1000 } else { 30 }, |random| {
+    test_law(if is_thorough() { 1000 } else { 30 }, |random| {
         let (scene, camera) = (random_scene(random), random_camera(random));
         assert_fast_draws(&camera, 1 + random.index(3) as u32, &scene);
     });
@@ -163,7 +163,7 @@ fn fast_draws_the_bytes_of_render_for_a_picture_with_hardly_any_depth() {
 
 #[test]
 fn fast_draws_the_bytes_of_render_for_parts_of_random_scenes() {
-    test_law(if env::var_os("THOROUGH").is_some() { 250 } else { 50 }, |random| {
+    test_law(if is_thorough() { 250 } else { 50 }, |random| {
         let mut scene = named_scene(&random.index(10_000).to_string());
         scene.lights.truncate(random.index(3));
         scene.objects.truncate(random.index(10));

@@ -12,7 +12,7 @@ use course::examples::own_scene;
 use course::{Picture, describe_difference, read_locked_picture};
 use glam::DMat3;
 use step01_rays::Camera;
-use tests::{camera, locked_pictures};
+use support::{camera, locked_pictures};
 
 /// Declares programs as modules, which rustfmt leaves alone: it finds none in a macro.
 macro_rules! programs {

@@ -1,6 +1,6 @@
 use course::named_scene;
 use std::collections::HashSet;
-use tests::primary_rays;
+use support::primary_rays;
 
 #[test]
 fn spheres_of_a_named_scene_do_not_meet_and_no_ray_touches_one() {

@@ -1,5 +1,5 @@
 use course::examples::look_at::{look_at, passes};
-use tests::{camera, test_law};
+use support::{camera, test_law};
 
 #[test]
 fn look_at_passes_its_target_and_keeps_lengths_and_angles() {

@@ -2,7 +2,7 @@ use course::examples::plane::Plane;
 use course::examples::quadric::Quadric;
 use glam::{DMat3, DVec3};
 use step02_sphere::{Ray, Roots};
-use tests::test_law;
+use support::test_law;
 
 #[test]
 fn quadric_has_its_roots_in_order_where_a_is_not_above_0() {

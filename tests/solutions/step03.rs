@@ -1,7 +1,7 @@
 use course::examples::many::{Tree, sunflower};
 use std::cell::Cell;
 use step03_nearest::nearest;
-use tests::primary_rays;
+use support::primary_rays;
 
 #[test]
 fn tree_finds_the_hits_of_the_loop_with_few_intersections() {

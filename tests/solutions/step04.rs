@@ -1,6 +1,6 @@
 use course::examples::gamma;
 use glam::DVec3;
-use tests::camera;
+use support::camera;
 
 #[test]
 fn gamma_is_applied_to_the_mean_of_the_samples() {

@@ -1,7 +1,7 @@
 use course::examples::*;
 use glam::DVec3;
 use step05_phong::*;
-use tests::{primary_rays, test_law};
+use support::{primary_rays, test_law};
 
 #[test]
 fn scenes_without_mirrors_and_glass_look_like_step_5_with_shadows() {

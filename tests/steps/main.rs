@@ -1,5 +1,7 @@
-//! The five steps: what their programs do, and what no number by hand and no picture holds.
+//! The five steps: what their programs do, what the book predicts of their runs, and what neither
+//! the worked numbers of `by_hand.rs` nor a locked picture would notice.
 
+mod predictions;
 mod programs;
 mod step01_rays;
 mod step02_sphere;

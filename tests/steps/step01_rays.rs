@@ -3,7 +3,7 @@
 use course::examples::{directions, row::Row};
 use glam::DVec3;
 use step01_rays::{Camera, render};
-use tests::camera;
+use support::camera;
 
 /// Fields of view in degrees, from narrow to wide.
 const FIELDS_OF_VIEW: [f64; 5] = [1.0, 30.0, 60.0, 90.0, 150.0];

@@ -1,11 +1,12 @@
+use course::environment::{SnapshotUpdate, snapshot_update};
 use course::{
     describe_difference, draw_panels, encode_png, locked_picture_path, read_locked_picture,
-    target_folder, workspace,
+    target_folder,
 };
 use image::RgbImage;
 use insta::Settings;
+use std::fs;
 use std::path::PathBuf;
-use std::{env, fs};
 
 /// Compares `picture` with the locked picture, pixel by pixel, as another encoder may write the
 /// same ones otherwise: `assert` hands the PNG file that it is given to insta, the locked file
@@ -17,27 +18,27 @@ pub fn compare_pixels(name: &str, picture: &RgbImage, assert: impl FnOnce(Vec<u8
     let mut settings = Settings::clone_current();
     settings.set_prepend_module_to_snapshot(false);
     settings.set_omit_expression(true);
-    let panels = panels_path(name);
-    if let Ok(path) = panels.strip_prefix(workspace()) {
-        settings.set_description(path.to_string_lossy().replace('\\', "/"));
-    }
+    // This is where the panels are unless the target folder is elsewhere. The snapshot is the same
+    // on every machine.
+    settings.set_description(format!("target/differences/{name}.png"));
     let mismatch = describe_mismatch(name, picture);
     match &mismatch {
         Some(text) => {
             let command = "INSTA_UPDATE=always cargo test --test pictures";
             println!("{name}: {text}\nIs it meant? `{command} {name}` accepts it.");
         }
-        None => drop(fs::remove_file(panels)),
+        None => drop(fs::remove_file(panels_path(name))),
     }
-    if insta_update() == "no" {
+    let update = snapshot_update();
+    if update == SnapshotUpdate::No {
         // insta would delete a picture that waits for review.
         return assert!(mismatch.is_none(), "{name} is not the locked picture");
     }
     let locked_png = fs::read(locked_picture_path(name)).ok();
     let png = locked_png.filter(|_| mismatch.is_none()).unwrap_or_else(|| encode_png(picture));
     settings.bind(|| assert(png));
-    if insta_update() == "always" {
-        // insta leaves half of what waited, and the picture is accepted now.
+    if update == SnapshotUpdate::InPlace {
+        // The picture is accepted, and insta leaves half of what waited for review.
         let _ = fs::remove_file(locked_picture_path(name).with_extension("new"));
     }
 }
@@ -62,10 +63,4 @@ fn describe_mismatch(name: &str, picture: &RgbImage) -> Option<String> {
 
 fn panels_path(name: &str) -> PathBuf {
     target_folder().join(format!("differences/{name}.png"))
-}
-
-/// What insta does with a snapshot that differs.
-fn insta_update() -> String {
-    let default = if env::var_os("CI").is_some() { "no" } else { "new" };
-    env::var("INSTA_UPDATE").unwrap_or(default.to_owned())
 }

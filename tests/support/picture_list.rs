@@ -1,3 +1,5 @@
+//! The list of the locked pictures.
+
 use course::examples::{checkerboard::colour as floor, mirror, terms};
 use course::{Picture, camera, camera_with_size, ungated_colour};
 use glam::{DMat3, DVec3};
@@ -9,34 +11,63 @@ use step05_phong::*;
 /// The name of a locked picture, its camera, and the function that draws it.
 pub type LockedPicture = (&'static str, Camera, Picture);
 
-/// The locked pictures: of the steps, the exercises, the chapters and the cover.
+/// The locked pictures: of the steps and the exercises, of the chapters and the cover.
 pub fn locked_pictures() -> Vec<LockedPicture> {
     let exercises = course::PICTURES.iter();
-    let mut pictures: Vec<LockedPicture> =
-        exercises.map(|(name, draw)| (*name, camera(), *draw)).collect();
-    let large_camera = camera_with_size(1280, 720);
-    let four_tiles = crop_camera(camera(), [366.0, 264.0], [40, 30]);
-    let gate = crop_camera(camera(), [585.0, 150.0], [40, 30]);
-    let white_sphere = crop_camera(camera_with_size(2560, 1440), [213.0, 926.0], [640, 360]);
-    pictures.extend([
-        ("slide_matrix", course::slide_camera(), step05_phong::picture as Picture),
-        ("step05_ambient", camera(), |camera, _| terms::picture(camera, |phong| phong.ambient)),
-        ("step05_diffuse", camera(), |camera, _| terms::picture(camera, |phong| phong.diffuse)),
-        ("step05_specular", camera(), |camera, _| terms::picture(camera, |phong| phong.specular)),
-        ("one_ray", four_tiles, |camera, _| enlarge(render(camera, 1, floor))),
-        ("sixteen_rays", four_tiles, |camera, _| enlarge(render(camera, 4, floor))),
-        ("open_gate", gate, |camera, _| {
-            let scene = scene();
-            enlarge(render(camera, 1, |ray| ungated_colour(&scene, ray)))
-        }),
-        ("shut_gate", gate, |camera, _| enlarge(picture(camera, 1))),
-        ("speckled", camera_without_tan(), |camera, _| draw_shadows_of_mirrors(camera, 0.0)),
-        ("shadowed", camera(), |camera, _| draw_shadows_of_mirrors(camera, mirror::OFFSET)),
-        ("close_up", white_sphere, |camera, _| mirror::picture(camera, 2)),
-        ("cover", large_camera, |camera, _| step05_phong::picture(camera, 4)),
-        ("goodbye", large_camera, |camera, _| mirror::picture(camera, 2)),
-    ]);
-    pictures
+    let exercises = exercises.map(|(name, draw)| (*name, camera(), *draw));
+    exercises.chain(chapter_pictures()).collect()
+}
+
+/// Lists pictures, and defines `with_chapter_picture_names`, which calls a macro with their names:
+/// only a macro can declare a test for each.
+macro_rules! chapter_pictures {
+    ($dollar:tt $($name:ident: $camera:expr, $draw:expr;)*) => {
+        /// The pictures that a chapter shows besides those of steps and exercises, and the cover.
+        fn chapter_pictures() -> Vec<LockedPicture> {
+            vec![$((stringify!($name), $camera, $draw)),*]
+        }
+
+        /// Calls a macro with the names of the chapters' pictures.
+        #[macro_export]
+        macro_rules! with_chapter_picture_names {
+            ($dollar callback:ident) => { $dollar callback! { $($name)* } };
+        }
+    };
+}
+
+chapter_pictures! {
+    $
+    slide_matrix: course::slide_camera(), step05_phong::picture;
+    step05_ambient: camera(), |camera, _| terms::picture(camera, |phong| phong.ambient);
+    step05_diffuse: camera(), |camera, _| terms::picture(camera, |phong| phong.diffuse);
+    step05_specular: camera(), |camera, _| terms::picture(camera, |phong| phong.specular);
+    one_ray: four_tiles(), |camera, _| enlarge(render(camera, 1, floor));
+    sixteen_rays: four_tiles(), |camera, _| enlarge(render(camera, 4, floor));
+    open_gate: gate(), |camera, _| {
+        let scene = scene();
+        enlarge(render(camera, 1, |ray| ungated_colour(&scene, ray)))
+    };
+    shut_gate: gate(), |camera, _| enlarge(picture(camera, 1));
+    speckled: camera_without_tan(), |camera, _| draw_shadows_of_mirrors(camera, 0.0);
+    shadowed: camera(), |camera, _| draw_shadows_of_mirrors(camera, mirror::OFFSET);
+    close_up: white_sphere(), |camera, _| mirror::picture(camera, 2);
+    cover: camera_with_size(1280, 720), |camera, _| step05_phong::picture(camera, 4);
+    goodbye: camera_with_size(1280, 720), |camera, _| mirror::picture(camera, 2);
+}
+
+/// Four tiles of the checkerboard.
+fn four_tiles() -> Camera {
+    crop_camera(camera(), [366.0, 264.0], [40, 30])
+}
+
+/// Where an open gate lets highlights through.
+fn gate() -> Camera {
+    crop_camera(camera(), [585.0, 150.0], [40, 30])
+}
+
+/// The white sphere, enlarged.
+fn white_sphere() -> Camera {
+    crop_camera(camera_with_size(2560, 1440), [213.0, 926.0], [640, 360])
 }
 
 /// The camera of the course, with the tangent as a literal: no machine computes another.

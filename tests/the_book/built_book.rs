@@ -1,7 +1,7 @@
 use anyhow::Result;
 use builder::{Files, Site};
+use course::environment::nextest_run_id;
 use course::{target_folder, workspace};
-use std::env;
 use std::fs::{self, File};
 use std::sync::LazyLock;
 
@@ -24,7 +24,7 @@ pub fn built_book() -> &'static Site {
 /// all.
 fn build_or_read() -> Result<Site> {
     let folder = target_folder().join("tests/book");
-    let Ok(run) = env::var("NEXTEST_RUN_ID") else {
+    let Some(run) = nextest_run_id() else {
         return builder::build(&workspace(), &folder);
     };
     let run_file = folder.with_extension("run");

@@ -22,9 +22,6 @@ mod github_workflow;
 mod own_scene;
 mod typed_book;
 
-// Answers to predictions are right.
-mod predictions;
-
 /// Fails if there are faults, and prints all of them.
 #[track_caller]
 fn assert_no_faults(faults: &[String]) {

@@ -1,4 +1,4 @@
-//! Writes the five steps anew, as modules in which each place asks for the reader's expression.
+//! Copies the five steps as modules in which each place asks for the reader's expression.
 
 #[path = "../course/src/crate_as_module.rs"]
 mod crate_as_module;
@@ -7,51 +7,72 @@ mod crate_as_module;
 mod place;
 
 use crate_as_module::crate_as_module;
-use place::all_listed_places;
+use place::{Place, all_listed_places};
 use std::cmp::Reverse;
 use std::error::Error;
 use std::fs::{create_dir_all, read_dir, read_to_string, write};
-use std::{collections::BTreeMap, env, path::Path};
+use std::{env, path::Path};
 
 const STEPS: &str = "../../../steps";
+
+/// Stands in the copy for the file of step 1 that shares the rows among threads.
+const DRAW_PIXELS: &str = "pub use crate::expressions::draw_pixels;\n";
 
 fn main() -> Result<(), Box<dyn Error>> {
     println!("cargo::rerun-if-changed={STEPS}");
     println!("cargo::rerun-if-changed=../course/places.txt");
     println!("cargo::rerun-if-changed=../course/src");
-    let mut files = BTreeMap::new();
+    let places = all_listed_places();
+    let out = env::var("OUT_DIR")?;
+    let mut modules = String::new();
     for step in read_dir(STEPS)? {
         for file in step?.path().join("src").read_dir().into_iter().flatten() {
             let path = file?.path();
             let name = path.strip_prefix(STEPS)?.display().to_string().replace('\\', "/");
-            files.insert(name, read_to_string(path)?.replace('\r', ""));
-        }
-    }
-    let edits = all_listed_places().into_iter().filter_map(|place| {
-        let range = place.find_range(files.get(place.file)?).ok()?;
-        Some((range, place))
-    });
-    let mut edits: Vec<_> = edits.collect();
-    // From the end of a file to its start, as each edit moves what comes behind it.
-    edits.sort_by_key(|(range, _)| Reverse(range.start));
-    for (range, place) in edits {
-        let Some(text) = files.get_mut(place.file) else { continue };
-        let variables: Vec<_> = place.variables.iter().map(|(name, _)| *name).collect();
-        let (code, variables) = (&text[range.clone()], variables.join(", "));
-        let question = format!("editable!({}, {code}, [{variables}])", place.index);
-        text.replace_range(range, &question);
-    }
-    let out = env::var("OUT_DIR")?;
-    let mut modules = String::new();
-    for (name, text) in &files {
-        let path = Path::new(&out).join(name);
-        create_dir_all(path.parent().unwrap_or(&path))?;
-        let step = name.split('/').next().unwrap_or_default();
-        let module = format!("expressions::steps::{step}");
-        write(&path, crate_as_module(text, &module, ["step0"]))?;
-        if name.ends_with("/lib.rs") {
-            modules += &format!("#[path = {name:?}]\npub mod {step};\n");
+            let step = name.split('/').next().unwrap_or_default();
+            let text = read_to_string(&path)?.replace('\r', "");
+            let module = format!("expressions::steps::{step}");
+            let copy = match &*name {
+                "step01_rays/src/draw_pixels.rs" => DRAW_PIXELS.to_owned(),
+                _ => with_questions(&crate_as_module(&text, &module, ["step0"]), &name, &places),
+            };
+            if name.ends_with("/lib.rs") {
+                modules += &format!("#[path = {name:?}]\npub mod {step};\n");
+            }
+            let path = Path::new(&out).join(&name);
+            create_dir_all(path.parent().unwrap_or(&path))?;
+            write(&path, copy)?;
         }
     }
     Ok(write(Path::new(&out).join("steps.rs"), modules)?)
+}
+
+/// The text of a file of the steps, in which each place first asks for the value of the reader's
+/// line, and `debug_assert!` ends the picture rather than the module.
+///
+/// The steps have no room for that question, and they aren't given any, because the book shows
+/// every line of them. So they are compiled a second time, from a text in which a few words are
+/// replaced. That needs no parser. A place is a whole expression whose code occurs once in its
+/// file, so whatever replaces it is an expression in the same position. `debug_assert!` is followed
+/// by a condition and a sentence, like the function that replaces it. If a step is written
+/// differently one day, the copy either doesn't compile or draws another picture, and the tests
+/// compare the picture of every place with the locked one. They also name a place whose code isn't
+/// found. Here it is left out, since a build that failed would keep the test of the changed picture
+/// from running.
+fn with_questions(text: &str, file: &str, places: &[Place]) -> String {
+    let places = places.iter().filter(|place| place.file == file);
+    let found = places.filter_map(|place| Some((place.find_range(text).ok()?, place)));
+    let mut edits: Vec<_> = found.collect();
+    // From the end of the file to its start, because an edit moves what comes after it.
+    edits.sort_by_key(|(range, _)| Reverse(range.start));
+    let mut copy = text.to_owned();
+    for (range, Place { index, variables, .. }) in edits {
+        let code = &text[range.clone()];
+        let values: String =
+            variables.iter().map(|(name, _)| format!("({name}).into(), ")).collect();
+        let question = format!("crate::expressions::value_of_line({index}, || [{values}])");
+        let question = format!("(match {question} {{ Some(value) => value, None => {code} }})");
+        copy.replace_range(range, &question);
+    }
+    copy.replace("debug_assert!(", "crate::expressions::stop_unless(")
 }

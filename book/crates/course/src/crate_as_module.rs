@@ -1,6 +1,11 @@
-/// The text of a crate's file as a file of the module at `path`, such as `steps::step03_nearest`,
-/// of another crate, whose root is `lib.rs` or `main.rs`. The crates that are named in `siblings`
-/// are modules beside it; all others stay crates.
+//! The source of a crate, turned into that of a module.
+
+/// Turns the text of a crate's file into a file of a module of another crate. The module's path is
+/// `path`, such as `steps::step03_nearest`. Crates whose names begin with one of `siblings` are
+/// modules beside it; all others are still crates.
+///
+/// It replaces `crate::`, and `use` before a sibling, which are the only ways in which the steps
+/// name themselves and each other.
 pub fn crate_as_module<'a>(
     text: &str,
     path: &str,

@@ -1,6 +1,9 @@
+//! Pictures compared, in words.
+
 use image::{Rgb, RgbImage};
 
-/// How a new picture differs from the locked one, in a sentence; None where all pixels are equal.
+/// Describes how a new picture differs from the locked one, in a sentence. Returns None if all
+/// pixels are equal.
 pub fn describe_difference(locked: &RgbImage, new: &RgbImage) -> Option<String> {
     let ((w, h), (new_w, new_h)) = (locked.dimensions(), new.dimensions());
     if (w, h) != (new_w, new_h) {
@@ -21,7 +24,7 @@ pub fn describe_difference(locked: &RgbImage, new: &RgbImage) -> Option<String> 
     ))
 }
 
-/// How far apart two colours are in the channel that differs most.
+/// The difference of two colours in the channel where it is largest.
 #[inline]
 pub fn largest_channel_difference(a: &Rgb<u8>, b: &Rgb<u8>) -> u8 {
     a.0.iter().zip(b.0).map(|(a, b)| a.abs_diff(b)).max().unwrap_or(0)

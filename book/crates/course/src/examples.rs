@@ -1,21 +1,29 @@
-//! The steps' pictures and their examples as a library: what is drawn on the way and the
-//! solutions of the exercises. Who wants to draw one takes it from here.
+//! The steps' pictures and their examples as a library: the programs that the chapters run on the
+//! way, and the solutions of the exercises.
 
-#![allow(dead_code, reason = "the main of an example runs as a program only")]
-#![allow(clippy::duplicate_mod, reason = "`crowd` has `mirror` in it")]
-#![allow(missing_docs, reason = "each is a program, and says at its top what it draws")]
+#![allow(dead_code, reason = "the main of an example only runs in its program")]
+#![allow(clippy::duplicate_mod, reason = "`crowd` also declares the module `mirror`")]
+#![allow(missing_docs, reason = "each example says at its top what it draws")]
 
 use crate::Step;
 use image::RgbImage;
 use step01_rays::Camera;
 
-/// Draws a picture for a camera, with so many rays a pixel each way.
+/// Draws a picture for a camera. Each pixel is split into this number of sub-pixels each way.
 pub type Picture = fn(&Camera, u32) -> RgbImage;
 
-/// Declares the examples as modules, which rustfmt leaves alone: it finds none in a macro.
+/// Declares the examples as modules. rustfmt finds no module in a macro, so it leaves their files
+/// alone.
+///
+/// The names of the pictures are needed where tests are declared, too, and only a macro can declare
+/// something for each of them: hence `with_picture_names`.
 macro_rules! examples {
-    ($($name:ident: $path:literal $(=> $draw:expr)?,)*) => {
+    ($dollar:tt
+        pictures { $($name:ident: $path:literal => $draw:expr,)* }
+        others { $($other:ident: $other_path:literal,)* }
+    ) => {
         $(#[path = $path] pub mod $name;)*
+        $(#[path = $other_path] pub mod $other;)*
 
         /// The pictures of the five steps, then those of the examples, step by step, each by its
         /// name.
@@ -25,54 +33,69 @@ macro_rules! examples {
             ("step03_nearest", step03_nearest::picture),
             ("step04_diffuse", step04_diffuse::picture),
             ("step05_phong", step05_phong::picture),
-            $($((stringify!($name), $draw),)?)*
+            $((stringify!($name), $draw),)*
         ];
+
+        /// Calls a macro with the names of [`PICTURES`].
+        #[macro_export]
+        macro_rules! with_picture_names {
+            ($dollar callback:ident) => {
+                $dollar callback! {
+                    step01_rays step02_sphere step03_nearest step04_diffuse step05_phong $($name)*
+                }
+            };
+        }
     };
 }
 
-// The name of an example, its path, and what draws its picture, if it has one of its own.
+// The names of the examples and their paths, and what draws the locked picture of the name.
 examples! {
-    gradient: "../../../../steps/step01_rays/examples/gradient.rs" => |_, _| gradient::picture(),
-    directions: "../../../../steps/step01_rays/examples/directions.rs",
-    checkerboard: "../../../../steps/step01_rays/examples/checkerboard.rs" => |camera, _| checkerboard::picture(camera),
-    graticule: "../../../../steps/step01_rays/examples/graticule.rs" => graticule::picture,
-    jitter: "../../../../steps/step01_rays/examples/jitter.rs" => jitter::picture,
-    look_at: "../../../../steps/step01_rays/examples/look_at.rs" => look_at::picture,
-    panorama: "../../../../steps/step01_rays/examples/panorama.rs" => panorama::picture,
-    rings: "../../../../steps/step01_rays/examples/rings.rs" => rings::picture,
-    disc: "../../../../steps/step02_sphere/examples/disc.rs" => |camera, _| disc::picture(camera),
-    lens: "../../../../steps/step02_sphere/examples/lens.rs" => lens::picture,
-    plane: "../../../../steps/step02_sphere/examples/plane.rs" => plane::picture,
-    quadric: "../../../../steps/step02_sphere/examples/quadric.rs" => quadric::picture,
-    all_hits: "../../../../steps/step03_nearest/examples/all_hits.rs" => all_hits::picture,
-    depth: "../../../../steps/step03_nearest/examples/depth.rs" => depth::picture,
-    many: "../../../../steps/step03_nearest/examples/many.rs" => many::picture,
-    my_scene: "../../../../steps/step03_nearest/examples/my_scene.rs" => my_scene::picture,
-    gamma: "../../../../steps/step04_diffuse/examples/gamma.rs" => gamma::picture,
-    normals: "../../../../steps/step04_diffuse/examples/normals.rs" => normals::picture,
-    plaster: "../../../../steps/step04_diffuse/examples/plaster.rs" => plaster::picture,
-    shadows: "../../../../steps/step04_diffuse/examples/shadows.rs" => shadows::picture,
-    snowman: "../../../../steps/step04_diffuse/examples/snowman.rs" => snowman::picture,
-    spot: "../../../../steps/step04_diffuse/examples/spot.rs" => spot::picture,
-    sun: "../../../../steps/step04_diffuse/examples/sun.rs" => sun::picture,
-    crowd: "../../../../steps/step05_phong/examples/crowd.rs" => crowd::picture,
-    glass: "../../../../steps/step05_phong/examples/glass.rs" => glass::picture,
-    halfway: "../../../../steps/step05_phong/examples/halfway.rs" => halfway::picture,
-    highlight: "../../../../steps/step05_phong/examples/highlight.rs" => highlight::picture,
-    marbles: "../../../../steps/step05_phong/examples/marbles.rs" => marbles::picture,
-    mirror: "../../../../steps/step05_phong/examples/mirror.rs" => mirror::picture,
-    own_scene: "../../../../steps/step05_phong/examples/own_scene.rs",
-    row: "../../../../steps/step01_rays/examples/row.rs",
-    terms: "../../../../steps/step05_phong/examples/terms.rs",
+    $
+    pictures {
+        gradient: "../../../../steps/step01_rays/examples/gradient.rs" => |_, _| gradient::picture(),
+        checkerboard: "../../../../steps/step01_rays/examples/checkerboard.rs" => |camera, _| checkerboard::picture(camera),
+        graticule: "../../../../steps/step01_rays/examples/graticule.rs" => graticule::picture,
+        jitter: "../../../../steps/step01_rays/examples/jitter.rs" => jitter::picture,
+        look_at: "../../../../steps/step01_rays/examples/look_at.rs" => look_at::picture,
+        panorama: "../../../../steps/step01_rays/examples/panorama.rs" => panorama::picture,
+        rings: "../../../../steps/step01_rays/examples/rings.rs" => rings::picture,
+        disc: "../../../../steps/step02_sphere/examples/disc.rs" => |camera, _| disc::picture(camera),
+        lens: "../../../../steps/step02_sphere/examples/lens.rs" => lens::picture,
+        plane: "../../../../steps/step02_sphere/examples/plane.rs" => plane::picture,
+        quadric: "../../../../steps/step02_sphere/examples/quadric.rs" => quadric::picture,
+        all_hits: "../../../../steps/step03_nearest/examples/all_hits.rs" => all_hits::picture,
+        depth: "../../../../steps/step03_nearest/examples/depth.rs" => depth::picture,
+        many: "../../../../steps/step03_nearest/examples/many.rs" => many::picture,
+        my_scene: "../../../../steps/step03_nearest/examples/my_scene.rs" => my_scene::picture,
+        gamma: "../../../../steps/step04_diffuse/examples/gamma.rs" => gamma::picture,
+        normals: "../../../../steps/step04_diffuse/examples/normals.rs" => normals::picture,
+        plaster: "../../../../steps/step04_diffuse/examples/plaster.rs" => plaster::picture,
+        shadows: "../../../../steps/step04_diffuse/examples/shadows.rs" => shadows::picture,
+        snowman: "../../../../steps/step04_diffuse/examples/snowman.rs" => snowman::picture,
+        spot: "../../../../steps/step04_diffuse/examples/spot.rs" => spot::picture,
+        sun: "../../../../steps/step04_diffuse/examples/sun.rs" => sun::picture,
+        crowd: "../../../../steps/step05_phong/examples/crowd.rs" => crowd::picture,
+        glass: "../../../../steps/step05_phong/examples/glass.rs" => glass::picture,
+        halfway: "../../../../steps/step05_phong/examples/halfway.rs" => halfway::picture,
+        highlight: "../../../../steps/step05_phong/examples/highlight.rs" => highlight::picture,
+        marbles: "../../../../steps/step05_phong/examples/marbles.rs" => marbles::picture,
+        mirror: "../../../../steps/step05_phong/examples/mirror.rs" => mirror::picture,
+    }
+    others {
+        directions: "../../../../steps/step01_rays/examples/directions.rs",
+        own_scene: "../../../../steps/step05_phong/examples/own_scene.rs",
+        row: "../../../../steps/step01_rays/examples/row.rs",
+        terms: "../../../../steps/step05_phong/examples/terms.rs",
+    }
 }
 
-/// The picture of this name, of a step or an example.
+/// The function that draws the picture of a step or an example with this name.
 pub fn find_picture(name: &str) -> Option<Picture> {
     PICTURES.iter().find(|(known, _)| *known == name).map(|(_, draw)| *draw)
 }
 
 impl Step {
-    /// The function that draws its picture.
+    /// The function that draws the picture of the step.
     pub fn picture(self) -> Picture {
         PICTURES[self as usize].1
     }

@@ -1,4 +1,4 @@
-//! What all crates of the book share.
+//! What the crates of the book share.
 //!
 //! - The five *steps* as a list; the *camera* of their pictures; the *examples* of the steps as a
 //!   library, and a list of the pictures that they draw.
@@ -6,10 +6,12 @@
 //!   pictures that they give, with the small ones that the book shows; the *places* of the
 //!   listings that a reader may edit.
 //! - A *scene* as a program, and the scene that belongs to a *name*.
-//! - The *locked* pictures; two *compared*, in a sentence and side by side; one as a PNG file.
-//! - The source of a crate as that of a *module*.
-//! - A file *replaced* by what was written beside it.
-//! - The folders of the *workspace*, its modules, a command of Cargo, and JSON.
+//! - The *locked* pictures; the *difference* of two pictures, in a sentence and side by side; a
+//!   picture as a PNG file.
+//! - The source of a crate, turned into that of a *module*.
+//! - Files that are *replaced* as a whole.
+//! - The folders of the *workspace*, its modules, a command of Cargo, the *environment* variables
+//!   that switch tests, and JSON.
 
 mod camera;
 mod step;
@@ -30,7 +32,7 @@ pub use mistake_table::{
 };
 
 mod place;
-pub use place::{Place, all_listed_places};
+pub use place::{OccurrenceError, Place, PlaceNote, ValueType, all_listed_places};
 
 mod crate_as_module;
 pub use crate_as_module::crate_as_module;
@@ -67,4 +69,5 @@ pub use terminal::is_obeyed_by_terminals;
 mod workspace;
 pub use workspace::{MODULES, cargo_command, target_folder, workspace};
 
+pub mod environment;
 pub mod json;

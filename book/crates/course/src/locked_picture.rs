@@ -1,4 +1,4 @@
-//! The locked pictures.
+//! The locked pictures, which are snapshots of insta.
 
 use crate::workspace;
 use image::{ImageError, RgbImage};
@@ -16,7 +16,7 @@ pub struct LockedPictureError {
     pub source: ImageError,
 }
 
-/// The file of the locked picture `name`, a snapshot of insta.
+/// The file of the locked picture `name`.
 pub fn locked_picture_path(name: &str) -> PathBuf {
     workspace().join(format!("tests/snapshots/{name}.snap.png"))
 }
@@ -25,7 +25,7 @@ pub fn locked_picture_path(name: &str) -> PathBuf {
 pub fn read_locked_picture(name: &str) -> Result<RgbImage, LockedPictureError> {
     let path = locked_picture_path(name);
     let file = fs::read(&path).map_err(ImageError::from);
-    // To read it from the file itself would compile image's decoder here once more.
+    // `image::open` is generic over the reader, so it would compile image's decoder once more.
     let picture = file.and_then(|file| image::load_from_memory(&file));
     match picture {
         Ok(picture) => Ok(picture.into_rgb8()),

@@ -1,3 +1,5 @@
+//! A scene that a reader composes on a page.
+
 use crate::camera_with_fov;
 use crate::examples::look_at::look_at;
 use crate::examples::mirror::{self, Mirror};
@@ -6,7 +8,7 @@ use image::RgbImage;
 use std::iter::zip;
 use step05_phong::{Camera, Light, Material, Scene, colour, render};
 
-/// A scene of one's own with its camera: all that a picture is made from but its size.
+/// A scene of the reader's with its camera: all that a picture is made from, except its size.
 pub struct OwnScene {
     /// The camera's field of view, in degrees.
     pub fov_degrees: f64,
@@ -20,7 +22,7 @@ pub struct OwnScene {
     pub scene: Scene<Material, Light>,
     /// Whether rays go on from the surfaces, for shadows and mirrors.
     pub has_mirrors: bool,
-    /// The k of each object, the part of its colour that it mirrors.
+    /// k of each object, the part of its colour that it mirrors.
     pub mirror_parts: Vec<f64>,
 }
 
@@ -38,14 +40,14 @@ impl OwnScene {
         }
     }
 
-    /// The camera of a picture with so many columns.
+    /// The camera of a picture with this number of columns.
     pub fn camera(&self, columns: f64) -> Camera {
         let camera = camera_with_fov(self.fov_degrees, columns);
         look_at(&camera, self.position, self.target, self.roll_degrees.to_radians())
     }
 
-    /// The picture with so many columns: by step 5, or by the example `mirror`, in which a
-    /// ray may meet ten mirrors.
+    /// Draws the picture with this number of columns. Step 5 draws it, or the example `mirror`, in
+    /// which a ray may meet ten mirrors.
     pub fn picture(&self, columns: f64) -> RgbImage {
         let camera = self.camera(columns);
         if !self.has_mirrors {

@@ -1,3 +1,5 @@
+//! Pictures compared, side by side.
+
 use crate::largest_channel_difference;
 use image::{Rgb, RgbImage};
 
@@ -5,16 +7,17 @@ const BRIGHTER: Rgb<u8> = Rgb([255, 140, 0]);
 const DARKER: Rgb<u8> = Rgb([60, 140, 255]);
 const BLACK: Rgb<u8> = Rgb([0; 3]);
 
-/// Two pictures and where they differ, side by side.
+/// Draws two pictures and their difference, side by side.
 ///
-/// In the third panel pixels that are equal are a dark grey; the others are orange where
-/// the first picture is brighter, else blue, the brighter the farther apart. A smaller picture is
-/// black where it has no pixel.
+/// In the third panel, pixels that are equal are dark grey. A pixel that differs is orange if the
+/// first picture is brighter there, or else blue. The larger the difference, the brighter it is. If
+/// one picture is smaller, it is black where it has no pixel.
 pub fn draw_panels(first: &RgbImage, second: &RgbImage) -> RgbImage {
     let width = first.width().max(second.width());
     let height = first.height().max(second.height());
     RgbImage::from_fn(3 * width, height, |i, j| {
-        let colour = |one: &RgbImage| *one.get_pixel_checked(i % width, j).unwrap_or(&BLACK);
+        let colour =
+            |picture: &RgbImage| *picture.get_pixel_checked(i % width, j).unwrap_or(&BLACK);
         match i / width {
             0 => colour(first),
             1 => colour(second),
@@ -23,7 +26,7 @@ pub fn draw_panels(first: &RgbImage, second: &RgbImage) -> RgbImage {
     })
 }
 
-/// The colour that tells how two others differ.
+/// The colour that shows how two colours differ.
 fn difference_colour(a: &Rgb<u8>, b: &Rgb<u8>) -> Rgb<u8> {
     let sum = |colour: &Rgb<u8>| colour.0.iter().map(|c| u32::from(*c)).sum::<u32>();
     let strength = 120 + u32::from(largest_channel_difference(a, b)) * 135 / 255;

@@ -1,43 +1,157 @@
+//! The expressions of the steps that a reader may edit on a page, as `places.txt` lists them.
+//!
+//! A line `@ FILE uses DVec3` names the file of the places below it, and says whether vectors are
+//! imported there. A place begins with a line such as `a: f64 = v.dot(v)`: its name, the type of
+//! its value and its code. The indented lines below it say what an expression may use there, a
+//! type and the names that have it, and with `note:` what the code around it asks for. A line
+//! that begins with `#` is a comment.
+//!
+//! The build script of the package `page` compiles this file, too, so it uses nothing but std.
+
+use std::error::Error;
+use std::fmt::{self, Display, Formatter};
 use std::ops::Range;
 
 /// An expression in the steps that a reader may edit: a block of places.txt.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Place {
-    /// Number in the order of places.txt, from 0 on.
+    /// Its position in places.txt, counted from 0.
     pub index: usize,
-    /// Name in the address of an edit.
+    /// Its name in the address of an edit.
     pub name: &'static str,
-    /// Path of the file, seen from the folder of the steps.
+    /// The path of its file, relative to the folder of the steps.
     pub file: &'static str,
-    /// Code of the book there, in one row.
+    /// Whether the file imports `glam::DVec3`.
+    pub has_vectors: bool,
+    /// The code of the book there, in one row.
     pub code: &'static str,
-    /// The type of its value, in Rust.
-    pub kind: &'static str,
-    /// Names that an expression may use there, and their types.
-    pub variables: Vec<(&'static str, &'static str)>,
+    /// The type of its value.
+    pub value_type: ValueType,
+    /// The names that an expression may use there, and their types.
+    pub variables: Vec<(&'static str, ValueType)>,
+    /// What the code around it asks for.
+    pub notes: Vec<PlaceNote>,
 }
 
-/// All blocks of places.txt, in its order.
-pub fn all_listed_places() -> Vec<Place> {
-    let (mut file, mut places) = ("", Vec::<Place>::new());
-    for line in include_str!("../places.txt").lines() {
-        if let Some(path) = line.strip_prefix("@ ") {
-            file = path;
-        } else if let Some(place) = parse_place(places.len(), file, line) {
-            places.push(place);
-        } else if let Some(place) = places.last_mut() {
-            let Some((kind, names)) = line.trim().split_once(' ') else { continue };
-            place.variables.extend(names.split("; ").map(|name| (name, kind)));
+/// A type of Rust that an edited expression, or a part of one, can have.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ValueType {
+    /// `f64`.
+    F64,
+    /// `DVec3`.
+    Vector,
+    /// `i32`.
+    I32,
+    /// `bool`.
+    Bool,
+    /// `[f64; 3]`.
+    Array,
+}
+
+impl ValueType {
+    /// All types.
+    pub const ALL: [Self; 5] = [Self::F64, Self::Vector, Self::I32, Self::Bool, Self::Array];
+
+    /// The name of the type in Rust.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::F64 => "f64",
+            Self::Vector => "DVec3",
+            Self::I32 => "i32",
+            Self::Bool => "bool",
+            Self::Array => "[f64; 3]",
         }
     }
-    places
+
+    /// The type with this name in Rust.
+    pub fn from_name(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|value_type| value_type.name() == name)
+    }
 }
 
-/// The place of a line such as `a: f64 = v.dot(v)`.
-fn parse_place(index: usize, file: &'static str, line: &'static str) -> Option<Place> {
-    let (head, code) = line.split_once(" = ")?;
-    let (name, kind) = head.split_once(": ")?;
-    Some(Place { index, name, file, code, kind, variables: vec![] })
+/// What the code around a place asks of an expression, or makes of its value.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PlaceNote {
+    /// A method is called on the value, so `1.0` needs a suffix there: Rust doesn't look ahead to
+    /// find out which type of number it is.
+    MethodFollows,
+    /// It is the right operand of `&&`, which binds more tightly than `||`.
+    AfterAnd,
+    /// The step's picture shows whether a ray meets the ball, but not at which t.
+    OnlyMovesHit,
+}
+
+impl PlaceNote {
+    const ALL: [Self; 3] = [Self::MethodFollows, Self::AfterAnd, Self::OnlyMovesHit];
+
+    /// The words for it in places.txt.
+    fn words(self) -> &'static str {
+        match self {
+            Self::MethodFollows => "a method is called on the value",
+            Self::AfterAnd => "the right operand of &&",
+            Self::OnlyMovesHit => "the picture doesn't show the t of a hit",
+        }
+    }
+}
+
+/// All places, in the order of places.txt.
+///
+/// # Panics
+///
+/// Panics if places.txt has a line that can't be read. It is a part of the program, and the build
+/// of `page` would have failed.
+pub fn all_listed_places() -> Vec<Place> {
+    match parse_places(include_str!("../places.txt")) {
+        Ok(places) => places,
+        Err(error) => panic!("places.txt, {error}"),
+    }
+}
+
+/// Parses a list of places.
+fn parse_places(text: &'static str) -> Result<Vec<Place>, PlaceListError> {
+    let mut file = None;
+    let mut places = Vec::<Place>::new();
+    for (index, line) in text.lines().enumerate() {
+        let fail = |fault| PlaceListError { line: index + 1, fault };
+        if line.is_empty() || line.starts_with('#') {
+            continue;
+        }
+        if let Some(path) = line.strip_prefix("@ ") {
+            file = Some(path);
+        } else if line.starts_with(' ') {
+            let place = places.last_mut().ok_or(fail(PlaceListFault::NoPlace))?;
+            place.add_line(line.trim_start()).map_err(fail)?;
+        } else {
+            let file = file.ok_or(fail(PlaceListFault::NoFile))?;
+            places.push(parse_place(places.len(), file, line).map_err(fail)?);
+        }
+    }
+    Ok(places)
+}
+
+/// The place of a line such as `a: f64 = v.dot(v)`, below `@` and `file`.
+fn parse_place(
+    index: usize,
+    file: &'static str,
+    line: &'static str,
+) -> Result<Place, PlaceListFault> {
+    let (head, code) = line.split_once(" = ").ok_or(PlaceListFault::NoCode)?;
+    let (name, type_name) = head.split_once(": ").ok_or(PlaceListFault::NoCode)?;
+    let path = file.strip_suffix(" uses DVec3");
+    Ok(Place {
+        index,
+        name,
+        file: path.unwrap_or(file),
+        has_vectors: path.is_some(),
+        code,
+        value_type: parse_type(type_name)?,
+        variables: vec![],
+        notes: vec![],
+    })
+}
+
+fn parse_type(name: &'static str) -> Result<ValueType, PlaceListFault> {
+    ValueType::from_name(name).ok_or(PlaceListFault::UnknownType(name))
 }
 
 impl Place {
@@ -46,10 +160,9 @@ impl Place {
         self.file.split('/').next().unwrap_or_default()
     }
 
-    /// Finds its code in a text, however its rows are broken; a sentence where it is not there
-    /// once.
-    pub fn find_range(&self, text: &str) -> Result<Range<usize>, String> {
-        let Self { name, file, code, .. } = self;
+    /// Finds its code in a text, in which the code may be broken into rows.
+    pub fn find_range(&self, text: &str) -> Result<Range<usize>, OccurrenceError> {
+        let Self { name, file, code, .. } = *self;
         let first = code.split(' ').next().unwrap_or_default();
         let starts = text.match_indices(first).map(|(start, _)| start);
         let ranges = starts.filter_map(|start| {
@@ -61,7 +174,134 @@ impl Place {
         });
         match &ranges.collect::<Vec<_>>()[..] {
             [range] => Ok(range.clone()),
-            ranges => Err(format!("{name}: `{code}` is {} times in {file}.", ranges.len())),
+            ranges => Err(OccurrenceError { name, file, code, count: ranges.len() }),
         }
+    }
+
+    /// Adds what an indented line below it says.
+    fn add_line(&mut self, line: &'static str) -> Result<(), PlaceListFault> {
+        if let Some(words) = line.strip_prefix("note: ") {
+            let note = PlaceNote::ALL.into_iter().find(|note| note.words() == words);
+            self.notes.push(note.ok_or(PlaceListFault::UnknownNote(words))?);
+        } else {
+            let (type_name, names) = line.split_once(' ').ok_or(PlaceListFault::NoNames)?;
+            let value_type = parse_type(type_name)?;
+            self.variables.extend(names.split("; ").map(|name| (name, value_type)));
+        }
+        Ok(())
+    }
+}
+
+/// The code of a place isn't in a file exactly once.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct OccurrenceError {
+    name: &'static str,
+    file: &'static str,
+    code: &'static str,
+    count: usize,
+}
+
+impl Display for OccurrenceError {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        let Self { name, file, code, count } = self;
+        write!(f, "{name} in places.txt: `{code}` has to occur once in {file}, not {count} times")
+    }
+}
+
+impl Error for OccurrenceError {}
+
+/// A line of places.txt that can't be read.
+#[derive(Clone, Debug, PartialEq, Eq)]
+struct PlaceListError {
+    line: usize,
+    fault: PlaceListFault,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum PlaceListFault {
+    NoFile,
+    NoPlace,
+    NoCode,
+    NoNames,
+    UnknownType(&'static str),
+    UnknownNote(&'static str),
+}
+
+impl Display for PlaceListError {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        write!(f, "line {}: ", self.line)?;
+        match self.fault {
+            PlaceListFault::NoFile => write!(f, "a place needs a line `@ FILE` above it"),
+            PlaceListFault::NoPlace => write!(f, "an indented line needs a place above it"),
+            PlaceListFault::NoCode => write!(f, "a place is `NAME: TYPE = CODE`"),
+            PlaceListFault::NoNames => write!(f, "a type needs names behind it"),
+            PlaceListFault::UnknownType(name) => write!(f, "no value has the type `{name}`"),
+            PlaceListFault::UnknownNote(words) => write!(f, "there is no note `{words}`"),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const LIST: &str = "\
+# a comment
+@ step02_sphere/src/sphere.rs uses DVec3
+a: f64 = v.dot(v)
+    DVec3 s; ray.at(t)
+    note: a method is called on the value
+
+@ step02_sphere/src/quadratic.rs
+misses: bool = d < 0.0
+";
+
+    fn fault(text: &'static str) -> String {
+        parse_places(text).expect_err("a fault").to_string()
+    }
+
+    #[test]
+    fn list_is_parsed() {
+        let places = parse_places(LIST).expect("a list");
+        let [a, misses] = &places[..] else { panic!("{places:?}") };
+        assert_eq!((a.name, a.code, a.value_type), ("a", "v.dot(v)", ValueType::F64));
+        assert_eq!((a.file, a.has_vectors), ("step02_sphere/src/sphere.rs", true));
+        assert_eq!(a.variables, [("s", ValueType::Vector), ("ray.at(t)", ValueType::Vector)]);
+        assert_eq!(a.notes, [PlaceNote::MethodFollows]);
+        assert_eq!((misses.index, misses.step_name()), (1, "step02_sphere"));
+        assert_eq!((misses.has_vectors, misses.variables.len()), (false, 0));
+    }
+
+    #[test]
+    fn fault_in_the_list_names_its_line() {
+        assert_eq!(fault("\na: f64 = 1.0"), "line 2: a place needs a line `@ FILE` above it");
+        assert_eq!(fault("@ x\n    f64 a"), "line 2: an indented line needs a place above it");
+        assert_eq!(fault("@ x\na: f64"), "line 2: a place is `NAME: TYPE = CODE`");
+        assert_eq!(fault("@ x\na: f32 = 1.0"), "line 2: no value has the type `f32`");
+        assert_eq!(fault("@ x\na: f64 = b\n  f64"), "line 3: a type needs names behind it");
+        assert_eq!(fault("@ x\na: f64 = b\n  note: c"), "line 3: there is no note `c`");
+    }
+
+    #[test]
+    fn places_are_as_their_files_have_them() {
+        for place in all_listed_places() {
+            let path = crate::workspace().join("steps").join(place.file);
+            let text = std::fs::read_to_string(path).expect("a file");
+            place.find_range(&text).unwrap_or_else(|error| panic!("{error}"));
+            let imports = text.lines().filter(|line| line.starts_with("use glam::"));
+            let has_vectors = imports.collect::<String>().contains("DVec3");
+            assert_eq!(place.has_vectors, has_vectors, "`uses DVec3` of {}", place.file);
+        }
+    }
+
+    #[test]
+    fn range_is_found_if_the_code_occurs_once() {
+        let [mut place, _] = parse_places(LIST).expect("a list").try_into().expect("two");
+        place.code = "2.0 * s";
+        assert_eq!(place.find_range("x = 2.0\n    * s;"), Ok(4..15));
+        let error = |text| place.find_range(text).expect_err("a fault").to_string();
+        let start = "a in places.txt: `2.0 * s` has to occur once in step02_sphere/src/sphere.rs";
+        assert_eq!(error("2.0 + s"), format!("{start}, not 0 times"));
+        assert_eq!(error("2.0 * s + 2.0 * s"), format!("{start}, not 2 times"));
     }
 }

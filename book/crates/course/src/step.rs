@@ -1,4 +1,6 @@
-/// One of the five steps; they are in order.
+//! The five steps.
+
+/// One of the five steps, in the order of the course.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Step {
     /// step01_rays.
@@ -14,25 +16,25 @@ pub enum Step {
 }
 
 impl Step {
-    /// All five.
+    /// All steps.
     pub const ALL: [Self; 5] =
         [Self::Rays, Self::Sphere, Self::Nearest, Self::Diffuse, Self::Phong];
 
-    /// The names of all five.
+    /// The names of all steps.
     pub const NAMES: [&str; 5] =
         ["step01_rays", "step02_sphere", "step03_nearest", "step04_diffuse", "step05_phong"];
 
-    /// Number from 1 to 5.
+    /// The number of the step, from 1 to 5.
     pub fn number(self) -> usize {
         self as usize + 1
     }
 
-    /// The name of its crate, its first chapter and its locked picture.
+    /// The name of the step: that of its crate, its first chapter and its locked picture.
     pub fn name(self) -> &'static str {
         Self::NAMES[self as usize]
     }
 
-    /// The step whose name `name` is.
+    /// The step with this name.
     pub fn from_name(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|step| step.name() == name)
     }

@@ -1,6 +1,7 @@
-//! What must not go to a terminal as it is.
+//! Characters that must not be printed as they are.
 
-/// Whether a terminal obeys a character, or the character changes the direction of the text.
+/// Whether a terminal obeys a character instead of showing it, or the character changes the
+/// direction of the text.
 pub fn is_obeyed_by_terminals(c: char) -> bool {
     let changes_direction = matches!(
         c,

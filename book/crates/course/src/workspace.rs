@@ -1,15 +1,17 @@
+//! Where the project is, and how to run Cargo there.
+
 use std::env;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// The modules of the pages: what answers, what looks at a reader's picture, and what draws a
-/// line of the reader's.
+/// The modules of the pages: `live` draws what is interactive, `check` looks at a reader's picture,
+/// and `expressions` draws with the lines that a reader edits.
 pub const MODULES: [&str; 3] = ["live", "check", "expressions"];
 
-/// The folder of the course, even if it was moved since this program was built.
+/// The folder of the project, even if it was moved after this program was built.
 ///
-/// Searched upwards from the package that Cargo runs, then from the current
-/// folder and from the program.
+/// It is searched for upwards from the package that Cargo runs, then from the current folder and
+/// from the program.
 pub fn workspace() -> PathBuf {
     let package = env::var_os("CARGO_MANIFEST_DIR").map(PathBuf::from);
     let starts = [package, env::current_dir().ok(), env::current_exe().ok()];
@@ -20,8 +22,8 @@ pub fn workspace() -> PathBuf {
     folder.unwrap_or(compiled).to_owned()
 }
 
-/// The target folder, marked by Cargo, in which this program lies; that of the workspace
-/// where the program was taken elsewhere.
+/// The target folder that this program is in, which Cargo marks by a file, or that of the workspace
+/// if the program was copied elsewhere.
 pub fn target_folder() -> PathBuf {
     let program = env::current_exe().unwrap_or_default();
     let mut around = program.ancestors();
@@ -29,8 +31,8 @@ pub fn target_folder() -> PathBuf {
     target.map_or_else(|| workspace().join("target"), Path::to_owned)
 }
 
-/// A command of Cargo, the one that runs this program if there is one. It compiles for this
-/// machine, so that the programs are in the folder `debug` itself.
+/// A command that starts Cargo, the one that runs this program if there is one. It compiles for
+/// this machine, so the programs are directly in the folder `debug`.
 pub fn cargo_command() -> Command {
     let mut command = Command::new(env::var_os("CARGO").unwrap_or("cargo".into()));
     command.env_remove("CARGO_BUILD_TARGET");

@@ -1,87 +1,128 @@
-use crate::expressions::{Refusal, TOO_LONG, draw_edited, parse_expression};
+//! Replies to the requests of the line editor.
+
+use crate::expressions::{Expression, Fault, LineRefusal, draw_edited, parse_expression};
 use course::{
-    Mistake, Place, all_listed_places, find_mistakes_with_hash, hash_picture, json, locked_hashes,
+    Mistake, Place, PlaceNote, all_listed_places, find_mistakes_with_hash, hash_picture, json,
+    locked_hashes,
 };
 use figures::Reply;
 use image::RgbImage;
+use std::ops::RangeInclusive;
 
-/// The most steps of a picture: with them it takes less than 200 ms.
-const STEPS: i64 = 2_200_000;
+/// The widths of a picture that a page may ask for.
+const COLUMNS: RangeInclusive<u32> = 16..=FULL_SIZE;
 
-/// Places of step 2 that say at which t a ray meets the ball, which its picture doesn't show.
-const UNSEEN: [&str; 8] = ["s", "v", "a", "b", "c", "discriminant", "near", "far"];
+/// The width of the book's pictures.
+const FULL_SIZE: u32 = 640;
 
-/// The picture of a step with expressions of the reader's in it, to the words
-/// `COLUMNS NAME EXPRESSION`, with U+001F before further `NAME EXPRESSION`, and the names that the
-/// first may use; or what is wrong with which of them, and from which letter to which. Of a picture
-/// in its full size it is told whether it is right or a known mistake's.
-pub fn edit(words: &str) -> Reply {
-    let (columns, lines) = words.split_once(' ').unwrap_or_default();
-    let places = all_listed_places();
-    // A page has each place once.
-    if places.len() < lines.split('\u{1f}').count() {
-        return Reply::default();
+/// The most operations of a picture: 17 for each pixel of one in full size. They take about 150 ms
+/// in a browser, besides what the book's own code takes.
+const MAX_OPERATIONS: u64 = 4_000_000;
+
+/// The lines that a page asks to draw, each with its place, and the width of the picture.
+struct Edit<'a> {
+    columns: u32,
+    lines: Vec<(Place, &'a str)>,
+}
+
+impl<'a> Edit<'a> {
+    /// Parses `COLUMNS NAME EXPRESSION`, with U+001F before further `NAME EXPRESSION`. None unless
+    /// there is a line to draw.
+    fn parse(words: &'a str) -> Option<Self> {
+        let (columns, lines) = words.split_once(' ')?;
+        let columns = columns.parse().ok().filter(|columns| COLUMNS.contains(columns))?;
+        let places = all_listed_places();
+        let lines: Vec<_> = lines.split('\u{1f}').collect();
+        // A page has each place once.
+        if lines.len() > places.len() {
+            return None;
+        }
+        let lines = lines.into_iter().filter_map(|line| {
+            let (name, text) = line.split_once(' ')?;
+            Some((places.iter().find(|place| place.name == name)?.clone(), text))
+        });
+        let lines: Vec<_> = lines.collect();
+        (!lines.is_empty()).then_some(Self { columns, lines })
     }
-    let lines = lines.split('\u{1f}').filter_map(|line| {
-        let (name, text) = line.split_once(' ')?;
-        Some((places.iter().find(|place| place.name == name)?.clone(), text))
-    });
-    let lines: Vec<_> = lines.collect();
-    let (Some((place, _)), Ok(columns @ 16..=640)) = (lines.first(), columns.parse()) else {
+
+    /// Compiles the lines.
+    fn expressions(&self) -> Result<Vec<Expression>, LineRefusal> {
+        let parse = |(place, text): &(Place, &str)| {
+            let expression = parse_expression(place, text);
+            expression.map_err(|refusal| LineRefusal { place: place.name, refusal })
+        };
+        self.lines.iter().map(parse).collect()
+    }
+
+    /// Draws the picture, in half its width and height if the whole one takes too many operations.
+    fn draw(&self) -> Result<RgbImage, LineRefusal> {
+        let expressions = self.expressions()?;
+        let draw = |columns, operations| draw_edited(&expressions, columns, operations);
+        let is_too_long = |result: &Result<_, LineRefusal>| matches!(result, Err(error) if error.refusal.fault == Fault::OutOfOperations);
+        if self.columns < FULL_SIZE {
+            return draw(self.columns, MAX_OPERATIONS);
+        }
+        // A hundredth of the pixels shows it if all of them would take twice as many or more.
+        if !is_too_long(&draw(FULL_SIZE / 10, 2 * MAX_OPERATIONS / 100)) {
+            let result = draw(FULL_SIZE, MAX_OPERATIONS);
+            if !is_too_long(&result) {
+                return result;
+            }
+        }
+        draw(FULL_SIZE / 2, MAX_OPERATIONS)
+    }
+}
+
+/// Draws a step with a reader's lines in it, and replies with the picture and the names that the
+/// first line may use; or with what is wrong with which line, and from which letter to which. About
+/// a picture in its full size, the reply says whether it is right or a known mistake's. See
+/// [`Edit::parse`] for the words.
+pub fn edit(words: &str) -> Reply {
+    let Some(edit) = Edit::parse(words) else {
         return Reply::default();
     };
-    match draw(&lines, columns) {
+    match edit.draw() {
         Ok(picture) => {
-            let note = match (columns, picture.width()) {
-                (640, 640) => describe(&lines, &picture),
-                (640, _) => Some("Drawn smaller, as it takes long to compute.".to_owned()),
-                _ => None,
+            let note = match (edit.columns, picture.width()) {
+                (FULL_SIZE, FULL_SIZE) => describe(&edit.lines, &picture).unwrap_or_default(),
+                (FULL_SIZE, _) => "Drawn smaller, as it takes long to compute.".to_owned(),
+                _ => String::new(),
             };
+            let (place, _) = &edit.lines[0];
             let names = place.variables.iter().map(|(name, _)| json::quote(name));
-            let answer = Reply::from_json_fields([
+            let reply = Reply::from_json_fields([
                 ("size", json::list([picture.width(), picture.height()])),
-                ("known", json::quote(&note.unwrap_or_default())),
+                ("known", json::quote(&note)),
                 ("names", json::list(names)),
             ]);
-            Reply { pixels: figures::rgba_bytes(&picture), ..answer }
+            Reply { pixels: figures::rgba_bytes(&picture), ..reply }
         }
-        Err((name, Refusal { range, sentence })) => Reply::from_json_fields([
-            ("line", json::quote(name)),
-            ("from", range.start.to_string()),
-            ("to", range.end.to_string()),
-            ("mistake", json::quote(&sentence)),
+        Err(LineRefusal { place, refusal }) => Reply::from_json_fields([
+            ("line", json::quote(place)),
+            ("from", refusal.range.start.to_string()),
+            ("to", refusal.range.end.to_string()),
+            ("mistake", json::quote(&refusal.to_string())),
         ]),
     }
 }
 
-/// The picture with these lines, smaller where it would take too long.
-fn draw(lines: &[(Place, &str)], columns: u32) -> Result<RgbImage, (&'static str, Refusal)> {
-    let parse = |(place, text): &(Place, &str)| {
-        parse_expression(place, text).map_err(|refusal| (place.name, refusal))
-    };
-    let lines = lines.iter().map(parse).collect::<Result<Vec<_>, _>>()?;
-    // A hundredth of the pixels tells what all would take.
-    let small_picture = draw_edited(&lines, 64, STEPS / 100);
-    let is_long = small_picture.is_err_and(|(_, refusal)| refusal.sentence == TOO_LONG);
-    draw_edited(&lines, if is_long { columns.min(320) } else { columns }, STEPS)
-}
-
-/// A sentence about a picture that is the right one, or that of a listed mistake in the line.
+/// A sentence about a picture that is right, or that a listed mistake in the line gives.
 fn describe(lines: &[(Place, &str)], picture: &RgbImage) -> Option<String> {
     let (place, _) = lines.first()?;
     let (step, hash) = (place.step_name(), hash_picture(picture));
     if locked_hashes().any(|(name, right)| name == step && right == hash) {
-        let is_seen = |(place, _): &(Place, _)| !UNSEEN.contains(&place.name);
-        return Some(match lines.iter().any(is_seen) {
-            true => "Not one pixel differs from the book's picture.".to_owned(),
-            false => "This picture can't show what you changed here: it shows whether a ray meets \
-                      the ball, not at which t. From step 3 on, you would see it."
+        let only_moves_hit =
+            |(place, _): &(Place, _)| place.notes.contains(&PlaceNote::OnlyMovesHit);
+        return Some(match lines.iter().all(only_moves_hit) {
+            false => "Not one pixel differs from the book's picture.".to_owned(),
+            true => "This picture can't show what you changed here: it shows whether a ray meets \
+                     the ball, not at which t. From step 3 on, you would see it."
                 .to_owned(),
         });
     }
     let mut pixels = picture.pixels();
     let first = pixels.next();
-    if 1 < lines.len() || pixels.all(|pixel| Some(pixel) == first) {
+    if lines.len() > 1 || pixels.all(|pixel| Some(pixel) == first) {
         return None;
     }
     let is_here = |mistake: &Mistake| {
@@ -92,4 +133,46 @@ fn describe(lines: &[(Place, &str)], picture: &RgbImage) -> Option<String> {
     let mistakes = find_mistakes_with_hash(hash);
     let (mistake, _) = mistakes.iter().find(|(mistake, name)| *name == step && is_here(mistake))?;
     Some(format!("A known mistake gives the same pixels: {}.", mistake.title))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn parse(words: &str) -> Option<(u32, Vec<(&str, &str)>)> {
+        let edit = Edit::parse(words)?;
+        let lines = edit.lines.iter().map(|(place, text)| (place.name, *text));
+        Some((edit.columns, lines.collect()))
+    }
+
+    #[test]
+    fn words_are_columns_and_lines() {
+        assert_eq!(parse("640 a v.dot(v)"), Some((640, vec![("a", "v.dot(v)")])));
+        let two = Some((16, vec![("normal", "p"), ("byte", "")]));
+        assert_eq!(parse("16 normal p\u{1f}byte "), two);
+    }
+
+    #[test]
+    fn unknown_places_are_left_out() {
+        assert_eq!(parse("320 nowhere 1.0\u{1f}a 1.0"), Some((320, vec![("a", "1.0")])));
+        assert_eq!(parse("320 nowhere 1.0"), None);
+    }
+
+    #[test]
+    fn sizes_that_no_page_asks_for_are_refused() {
+        for words in ["15 a 1.0", "641 a 1.0", "-1 a 1.0", "many a 1.0", "640", ""] {
+            assert_eq!(parse(words), None, "{words}");
+        }
+    }
+
+    #[test]
+    fn reply_has_one_fault_or_one_picture() {
+        let (fault, picture) = (edit("16 a 1"), edit("16 a 1.0"));
+        assert_eq!(
+            fault.text,
+            r#"{"line":"a","from":0,"to":1,"mistake":"Write 1.0: Rust doesn't mix whole numbers with others."}"#
+        );
+        assert!(fault.pixels.is_empty() && picture.text.starts_with(r#"{"size":[16,9],"#));
+        assert_eq!(picture.pixels.len(), 16 * 9 * 4);
+    }
 }

@@ -11,7 +11,7 @@ pub mod expressions;
 
 // `#[unsafe(no_mangle)]` counts as unsafe code: a name could clash with another.
 #[allow(unsafe_code)]
-mod page;
+mod exports;
 
 use figures::Reply;
 

@@ -1,78 +1,79 @@
-use crate::expressions::expression::{Expression, Part, Run, literal_part};
-use crate::expressions::functions::{Apply, find_function};
+//! Compiles a line, as far as Rust would.
+
+use crate::expressions::evaluation::{Expression, Interruption, Run};
+use crate::expressions::functions::{Function, find_function, remainder_operations};
 use crate::expressions::operation::{range_of, split_operation, write_tokens};
-use crate::expressions::refusal::{Checked, refuse};
+use crate::expressions::part::{Part, literal_part};
+use crate::expressions::refusal::{Fault, Refusal, refuse};
 use crate::expressions::refused_call::{explain_mismatch, explain_refused_call};
 use crate::expressions::syntax::parse_syntax;
-use crate::expressions::value::Value::{self, Bool, Stop, Unfit};
-use course::Place;
+use crate::expressions::value::Value;
+use course::{Place, PlaceNote, ValueType};
 use std::ops::Range;
-use std::sync::Arc;
+use std::rc::Rc;
 use syn::{BinOp, Expr, ExprBinary};
 
-/// Places whose value has a method called later, so that it can't be a number of an open type.
-const PLACES_WITH_METHODS: [&str; 1] = ["discriminant"];
-
-const STOP: &str = "Here your program would stop: there is no result, or none that fits its type.";
-
-/// Files without `use glam::DVec3`.
-const FILES_WITHOUT_VECTORS: [&str; 2] =
-    ["step02_sphere/src/quadratic.rs", "step03_nearest/src/nearest.rs"];
-
-/// Compiles the syntax of a text, as far as Rust would.
+/// Compiles the syntax of a line, part by part.
 pub struct Compiler<'a> {
     place: &'a Place,
-    text: &'a str,
-    /// Names of values: variables of the place, such as `ray.start`, and those of `let`.
+    pub text: &'a str,
+    /// The names of values: variables of the place, such as `ray.start`, and those of `let`.
     pub names: Vec<(String, Part)>,
-    steps: i64,
 }
 
-/// Reads what a reader wrote at a place.
-pub fn parse_expression(place: &Place, text: &str) -> Checked<Expression> {
+/// Compiles what a reader wrote at a place.
+pub fn parse_expression(place: &Place, text: &str) -> Result<Expression, Refusal> {
     let syntax = parse_syntax(text)?;
-    let mut compiler = Compiler { place, text, names: vec![], steps: 0 };
-    let sample_of = |kind| Value::from_type(kind).unwrap_or(Unfit);
-    for (name, kind) in &place.variables {
-        let part = compiler.new_slot(sample_of(kind), false);
+    let mut compiler = Compiler { place, text, names: vec![] };
+    for (name, value_type) in &place.variables {
+        let part = compiler.new_slot(*value_type, false);
         compiler.names.push((name.split_whitespace().collect(), part));
     }
     let part = compiler.expression(&syntax)?;
+    if let Some(fault) = find_misfit(place, text, &syntax, &part) {
+        return refuse(part.range, fault);
+    }
+    Ok(Expression {
+        place_index: place.index,
+        place_name: place.name,
+        step_name: place.step_name(),
+        length: text.len(),
+        run: part.run,
+    })
+}
+
+/// Why a whole line, which is an expression by itself, can't be written at its place.
+fn find_misfit(place: &Place, text: &str, syntax: &Expr, part: &Part) -> Option<Fault> {
+    let has_note = |note| place.notes.contains(&note);
     let is_block = matches!(syntax, Expr::If(_) | Expr::Block(_));
-    let tokens = write_tokens(&syntax);
+    let tokens = write_tokens(syntax);
     let is_or = matches!(syntax, Expr::Binary(ExprBinary { op: BinOp::Or(_), .. }));
-    let wanted = sample_of(place.kind);
-    let sentence = if !is_block && ["{", "if"].iter().any(|sign| tokens.starts_with(sign)) {
-        "Put parentheses around the block at the beginning.".to_owned()
-    } else if is_or && place.name == "nearer" {
-        "It stands behind a &&: put parentheses around it.".to_owned()
-    } else if part.is_open && PLACES_WITH_METHODS.contains(&place.name) {
-        "Rust can't tell yet which kind of number this is: write _f64 behind it.".to_owned()
-    } else if !part.sample.is_like(&wanted) {
-        explain_mismatch("Here belongs", &part, text, &wanted)
+    if !is_block && ["{", "if"].iter().any(|sign| tokens.starts_with(sign)) {
+        Some(Fault::BlockAtStart)
+    } else if is_or && has_note(PlaceNote::AfterAnd) {
+        Some(Fault::OrAfterAnd)
+    } else if part.is_open && has_note(PlaceNote::MethodFollows) {
+        Some(Fault::OpenValue)
+    } else if part.value_type != place.value_type {
+        Some(explain_mismatch("Here belongs", part, text, place.value_type))
     } else {
-        let (place, run) = (place.clone(), part.run);
-        return Ok(Expression { place, run, steps: compiler.steps });
-    };
-    refuse(part.range, sentence)
+        None
+    }
 }
 
 impl Compiler<'_> {
-    /// Compiles a part of the text. What is the same at each pixel is evaluated here.
-    pub fn expression(&mut self, syntax: &Expr) -> Checked<Part> {
+    /// Compiles a part of the line.
+    pub fn expression(&mut self, syntax: &Expr) -> Result<Part, Refusal> {
         let name = write_tokens(syntax);
-        let known = self.names.iter().find(|(known, _)| *known == name);
-        let part = known.map(|(_, part)| part.clone()).map_or_else(|| self.compile(syntax), Ok)?;
-        let part = Part { range: range_of(syntax), ..part };
-        if !part.is_constant {
-            return Ok(part);
-        }
-        let sample = (part.run)(&mut vec![])?;
-        Ok(Part { range: part.range, ..Part::constant(sample, part.is_open) })
+        let part = match self.names.iter().find(|(known, _)| *known == name) {
+            Some((_, part)) => part.clone(),
+            None => self.compile(syntax)?,
+        };
+        Ok(Part { range: range_of(syntax), ..part })
     }
 
     /// Compiles syntax that isn't the name of a value.
-    fn compile(&mut self, syntax: &Expr) -> Checked<Part> {
+    fn compile(&mut self, syntax: &Expr) -> Result<Part, Refusal> {
         match syntax {
             Expr::Lit(literal) => return literal_part(&literal.lit),
             Expr::Paren(paren) => return self.expression(&paren.expr),
@@ -82,76 +83,150 @@ impl Compiler<'_> {
         }
         let (name, operands, sign) = split_operation(syntax)?;
         let parts = operands.into_iter().map(|operand| self.expression(operand));
-        let parts = parts.collect::<Checked<Vec<_>>>()?;
+        let parts = parts.collect::<Result<Vec<_>, _>>()?;
         let is_member = matches!(syntax, Expr::Field(_) | Expr::MethodCall(_));
         let Some(receiver) = parts.first().filter(|_| is_member) else {
-            if name.starts_with("DVec3") && FILES_WITHOUT_VECTORS.contains(&self.place.file) {
-                return refuse(sign, "This file has no use glam::DVec3.");
+            if name.starts_with("DVec3") && !self.place.has_vectors {
+                return refuse(sign, Fault::NoVectors);
             }
-            return self.call(&name, parts, sign);
+            return self.call(&name, &parts, sign);
         };
         if receiver.is_open {
-            let sentence =
-                "Rust can't tell yet which kind of number this is: write 2.0_f64 for 2.0.";
-            return refuse(receiver.range.clone(), sentence);
+            return refuse(receiver.range.clone(), Fault::OpenReceiver);
         }
-        self.call(&(receiver.sample.describe().0.to_owned() + &name), parts, sign)
+        self.call(&(receiver.value_type.name().to_owned() + &name), &parts, sign)
     }
 
-    /// The next value of a variable or of `let`, which differs from pixel to pixel.
-    pub fn new_slot(&self, sample: Value, is_open: bool) -> Part {
-        let slot = self.names.iter().filter(|(_, part)| !part.is_constant).count();
-        let run = move |slots: &mut Vec<Value>| Ok(slots[slot]);
-        Part { run: Arc::new(run), is_constant: false, sample, is_open, range: 0..0 }
+    /// The next slot, of a variable or of `let`, whose value differs from pixel to pixel.
+    pub fn new_slot(&self, value_type: ValueType, is_open: bool) -> Part {
+        let is_slot = |part: &Part| part.constant_value().is_none();
+        let slot = self.names.iter().filter(|(_, part)| is_slot(part)).count();
+        Part { run: Run::Slot(slot), value_type, is_open, range: 0..0 }
     }
 
     /// The call of a function, an operator or a cast, whose name is at `sign`.
-    pub fn call(&mut self, name: &str, parts: Vec<Part>, sign: Range<usize>) -> Checked<Part> {
-        let values: Vec<_> = parts.iter().map(|part| part.sample).collect();
-        let Some(apply) = find_function(name, &values) else {
-            return Err(explain_refused_call(name, sign, &parts, self.place, self.text));
+    fn call(&self, name: &str, parts: &[Part], sign: Range<usize>) -> Result<Part, Refusal> {
+        let types: Vec<_> = parts.iter().map(|part| part.value_type).collect();
+        let Some(function) = find_function(name, &types) else {
+            return Err(explain_refused_call(name, sign, parts, self.place, self.text));
         };
-        let sample = match (apply(&values), parts.last()) {
-            // Rust refuses to divide by a 0 that it knows, whatever is divided.
-            (Stop, Some(Part { is_constant: true, .. })) if ["/", "%"].contains(&name) => {
-                return refuse(sign, STOP);
-            }
-            // Where it stops, it would give what its first value is.
-            (Stop, _) => values[0],
-            (sample, _) => sample,
-        };
-        self.steps += 1;
-        let operands = if name == "if" { &parts[1..] } else { &parts[..] };
-        let is_operator = name == "if" || !name.contains(char::is_alphabetic);
-        let is_open = is_operator && operands.iter().all(|part| part.is_open);
-        let is_constant = parts.iter().all(|part| part.is_constant);
-        let runs: Vec<_> = parts.into_iter().map(|part| part.run).collect();
-        let run = join_runs(name, apply, runs, sign);
-        Ok(Part { run, is_constant, sample, is_open, range: 0..0 })
+        // Rust refuses to divide by a 0 that it knows, whatever is divided.
+        let divisor = parts.last().and_then(Part::constant_value);
+        if ["/", "%"].contains(&name) && divisor == Some(Value::I32(0)) {
+            return refuse(sign, Fault::NoResult);
+        }
+        let is_operator = !name.contains(char::is_alphabetic);
+        let is_open = is_operator && parts.iter().all(|part| part.is_open);
+        let constants: Option<Vec<_>> = parts.iter().map(Part::constant_value).collect();
+        if let Some(values) = constants {
+            return match (function.apply)(&values) {
+                Some(value) => Ok(Part::constant(value, is_open, 0..0)),
+                None => refuse(sign, Fault::NoResult),
+            };
+        }
+        let runs: Vec<_> = parts.iter().map(|part| part.run.clone()).collect();
+        let run = call_run(function, &runs, sign);
+        Ok(Part { run, value_type: function.result, is_open, range: 0..0 })
     }
 }
 
-/// A function of values that these runs compute, the later ones only where Rust would. Where it
-/// stops, its name at `sign` is to blame.
-fn join_runs(name: &str, apply: Apply, runs: Vec<Run>, sign: Range<usize>) -> Run {
-    match name {
-        "if" | "&&" => Arc::new(move |slots| match runs[0](slots)? {
-            Bool(true) => runs[1](slots),
-            no => runs.get(2).map_or(Ok(no), |other| other(slots)),
-        }),
-        "||" => Arc::new(move |slots| match runs[0](slots)? {
-            Bool(false) => runs[1](slots),
-            yes => Ok(yes),
-        }),
-        _ => Arc::new(move |slots| {
-            let mut values = [Unfit; 3];
-            for (value, run) in values.iter_mut().zip(&runs) {
-                *value = run(slots)?;
-            }
-            match apply(&values[..runs.len()]) {
-                Stop => refuse(sign.clone(), STOP),
-                value => Ok(value),
-            }
-        }),
+/// Evaluates a function of the values that these runs compute.
+fn call_run(function: &'static Function, runs: &[Run], sign: Range<usize>) -> Run {
+    match (function.name, runs) {
+        ("&&", [first, second]) => short_circuit(first.clone(), second.clone(), false),
+        ("||", [first, second]) => short_circuit(first.clone(), second.clone(), true),
+        (_, [a]) => join_runs(function, [a.clone()], sign),
+        (_, [a, b]) => join_runs(function, [a.clone(), b.clone()], sign),
+        (_, [a, b, c]) => join_runs(function, [a.clone(), b.clone(), c.clone()], sign),
+        // No function takes more.
+        _ => join_runs(function, [], sign),
+    }
+}
+
+/// The value of the first run if it is `decisive`, or else that of the second.
+fn short_circuit(first: Run, second: Run, decisive: bool) -> Run {
+    Run::Call(Rc::new(move |evaluation| {
+        evaluation.spend(1)?;
+        let value = first.evaluate(evaluation)?;
+        if value == Value::Bool(decisive) { Ok(value) } else { second.evaluate(evaluation) }
+    }))
+}
+
+/// Evaluates a function of this number of values. If it stops, its name at `sign` is to blame.
+fn join_runs<const N: usize>(
+    function: &'static Function,
+    runs: [Run; N],
+    sign: Range<usize>,
+) -> Run {
+    let apply = function.apply;
+    let is_remainder = ["%", "f64::rem_euclid"].contains(&function.name);
+    Run::Call(Rc::new(move |evaluation| {
+        let mut values = [Value::Bool(false); N];
+        for (value, run) in values.iter_mut().zip(&runs) {
+            *value = run.evaluate(evaluation)?;
+        }
+        evaluation.spend(if is_remainder { remainder_operations(&values) } else { 1 })?;
+        apply(&values).ok_or_else(|| Interruption::NoResult(sign.clone()))
+    }))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Compiles a line at a place of `value_type`, where `x` is a number and `k` a whole number.
+    fn compile(value_type: ValueType, text: &str) -> Result<Run, Fault> {
+        let place = Place {
+            index: 0,
+            name: "",
+            file: "",
+            has_vectors: true,
+            code: "",
+            value_type,
+            variables: vec![("x", ValueType::F64), ("k", ValueType::I32)],
+            notes: vec![],
+        };
+        let expression = parse_expression(&place, text).map_err(|refusal| refusal.fault)?;
+        Ok(expression.run)
+    }
+
+    /// The value of a line where x is 0.5 and k is 0; None if the program would stop.
+    fn evaluate(value_type: ValueType, text: &str) -> Option<Value> {
+        let mut evaluation = crate::expressions::evaluation::Evaluation::new(1000);
+        let run = compile(value_type, text).expect("a line");
+        evaluation.evaluate(&run, &[Value::F64(0.5), Value::I32(0)]).ok()
+    }
+
+    #[test]
+    fn what_is_the_same_at_each_pixel_is_computed_once() {
+        let is_constant = |text| matches!(compile(ValueType::F64, text), Ok(Run::Constant(_)));
+        assert!(is_constant("2.0 * (1.0 + f64::from(3))"));
+        assert!(is_constant("{ let y = 2.0_f64; y.sqrt() }"));
+        assert!(is_constant("if true { 1.0 } else { x }"));
+        assert!(!is_constant("0.0 * x"));
+    }
+
+    #[test]
+    fn let_takes_the_next_slot_and_gives_it_back() {
+        let text = "{ let a = x + x; ({ let b = a * a; b + a }) - { let c = 8.0 * x; c } }";
+        assert_eq!(evaluate(ValueType::F64, text), Some(Value::F64(-2.0)));
+    }
+
+    #[test]
+    fn operand_that_is_not_needed_cannot_stop_the_program() {
+        for text in [
+            "k == 0 || 1 / k > 0",
+            "k != 0 && 1 / k > 0",
+            "if k == 0 { x < 1.0 } else { 1 / k > 0 }",
+        ] {
+            assert!(evaluate(ValueType::Bool, text).is_some(), "{text}");
+        }
+        assert_eq!(evaluate(ValueType::Bool, "1 / k > 0"), None);
+    }
+
+    #[test]
+    fn division_by_a_known_0_is_refused() {
+        assert_eq!(compile(ValueType::I32, "k / 0").err(), Some(Fault::NoResult));
+        assert_eq!(compile(ValueType::I32, "2147483647 + 1").err(), Some(Fault::NoResult));
     }
 }

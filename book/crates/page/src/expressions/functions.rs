@@ -1,143 +1,204 @@
-use crate::expressions::drawing::spend;
-use crate::expressions::value::Value::{self, Array, Bool, F64, I32, Stop, Unfit, Vector};
+//! The functions, methods and operators that a line may have.
+
+use crate::expressions::value::Value;
+use course::ValueType;
 use glam::DVec3;
 use std::f64::consts;
 
-/// Gives the value for these, or tells that it doesn't take such.
-pub type Apply = fn(&[Value]) -> Value;
+/// A function of values of given types.
+pub struct Function {
+    /// Its path, such as `f64::max`, for functions, methods and constants; `DVec3.x` for fields;
+    /// the sign of an operator; `as f64` for a cast.
+    pub name: &'static str,
+    /// The types of the values that it takes, none for a constant.
+    pub parameters: &'static [ValueType],
+    /// The type of what it gives.
+    pub result: ValueType,
+    /// Computes it. Returns None where the reader's program would stop.
+    pub apply: fn(&[Value]) -> Option<Value>,
+}
 
-/// Whether there is a function of this name.
+/// All functions.
+pub fn functions() -> impl Iterator<Item = &'static Function> {
+    FUNCTIONS.iter().copied().flatten()
+}
+
+/// Whether there is a function of this name, whatever it takes.
 pub fn is_known(name: &str) -> bool {
-    FUNCTIONS.iter().copied().flatten().any(|(known, _)| *known == name)
+    functions().any(|function| function.name == name)
 }
 
 /// The function of this name that takes values of these types.
-pub fn find_function(name: &str, values: &[Value]) -> Option<Apply> {
-    let mut functions = FUNCTIONS.iter().copied().flatten().copied();
-    functions.find_map(|(known, apply)| {
-        (known == name && !matches!(apply(values), Unfit)).then_some(apply)
-    })
+pub fn find_function(name: &str, types: &[ValueType]) -> Option<&'static Function> {
+    functions().find(|function| function.name == name && function.parameters == types)
 }
 
-/// Functions, each of values that match a pattern.
+/// The number of operations that the remainder of `a` and `b` counts as: it is computed bit by bit,
+/// which takes longest if the quotient is large.
+pub fn remainder_operations(values: &[Value]) -> u64 {
+    match values {
+        [Value::F64(a), Value::F64(b)] if a.abs() > 1e15 * b.abs() => 41,
+        _ => 1,
+    }
+}
+
+/// Functions that have a result for some of their values only, and stop the program for the others.
+macro_rules! partial_functions {
+    ($($name:expr, ($($value:ident: $type:ident),*) -> $result:ident = $body:expr;)*) => {
+        &[$(Function {
+            name: $name,
+            parameters: &[$(ValueType::$type),*],
+            result: ValueType::$result,
+            apply: |values| match *values {
+                [$(Value::$type($value)),*] => $body.map(Value::$result),
+                _ => None,
+            },
+        }),*]
+    };
+}
+
 macro_rules! functions {
-    ($($name:expr, $pattern:pat => $result:expr;)*) => {
-        &[$(($name, |values| match *values { $pattern => $result, _ => Unfit })),*]
+    ($($name:expr, $parameters:tt -> $result:ident = $body:expr;)*) => {
+        partial_functions! { $($name, $parameters -> $result = Some($body);)* }
     };
 }
 
 /// Functions of a type, under their paths.
 macro_rules! methods {
-    ($type:ident $pattern:tt $values:tt $result:ident: $($name:ident)*) => {
+    ($type:ident $parameters:tt $values:tt -> $result:ident: $($name:ident)*) => {
         functions! { $(
-            concat!(stringify!($type), "::", stringify!($name)), $pattern
-                => $result($type::$name $values);
+            concat!(stringify!($type), "::", stringify!($name)), $parameters
+                -> $result = $type::$name $values;
         )* }
     };
 }
 
 macro_rules! constants {
-    ($type:ident $result:ident: $($name:ident)*) => {
+    ($type:ident -> $result:ident: $($name:ident)*) => {
         functions! { $(
-            concat!(stringify!($type), "::", stringify!($name)), [] => $result($type::$name);
+            concat!(stringify!($type), "::", stringify!($name)), () -> $result = $type::$name;
         )* }
     };
 }
 
-/// Operators; those of whole numbers stop a program that overflows, as in a development build.
 macro_rules! operators {
-    ($($name:literal $sign:tt $checked:ident;)*) => {
+    ($($sign:tt)*) => {
         functions! { $(
-            $name, [F64(a), F64(b)] => F64(a $sign b);
-            $name, [Vector(a), Vector(b)] => Vector(a $sign b);
-            $name, [Vector(a), F64(b)] => Vector(a $sign b);
-            $name, [F64(a), Vector(b)] => Vector(a $sign b);
-            $name, [I32(a), I32(b)] => a.$checked(b).map_or(Stop, I32);
+            stringify!($sign), (a: F64, b: F64) -> F64 = a $sign b;
+            stringify!($sign), (a: Vector, b: Vector) -> Vector = a $sign b;
+            stringify!($sign), (a: Vector, b: F64) -> Vector = a $sign b;
+            stringify!($sign), (a: F64, b: Vector) -> Vector = a $sign b;
         )* }
     };
 }
 
 macro_rules! comparisons {
-    ($($name:literal $sign:tt)*) => {
+    ($($sign:tt)*) => {
         functions! { $(
-            $name, [F64(a), F64(b)] => Bool(a $sign b);
-            $name, [I32(a), I32(b)] => Bool(a $sign b);
+            stringify!($sign), (a: F64, b: F64) -> Bool = a $sign b;
+            stringify!($sign), (a: I32, b: I32) -> Bool = a $sign b;
         )* }
     };
 }
 
-/// Functions and methods, both such as `f64::max`, fields such as `DVec3.x`, operators, casts such as
-/// `as f64`, `if`; constants are functions of nothing.
-pub static FUNCTIONS: &[&[(&str, Apply)]] = &[
-    methods!(f64 [F64(a)] (a) F64: abs floor ceil round trunc fract signum sqrt cbrt recip sin cos
-        tan asin acos atan sinh cosh tanh exp exp2 ln log10 log2 to_degrees to_radians),
-    methods!(f64 [F64(a)] (a) Bool: is_nan is_finite is_sign_negative is_sign_positive),
-    methods!(f64 [F64(a), F64(b)] (a, b) F64: min max powf atan2 hypot copysign midpoint),
-    methods!(f64 [F64(a), I32(b)] (a, b) F64: powi),
-    methods!(f64 [F64(a), F64(b), F64(c)] (a, b, c) F64: mul_add),
-    methods!(DVec3 [Vector(a)] (a) Vector: abs floor ceil round trunc fract signum sqrt sin cos exp
-        recip normalize normalize_or_zero),
-    methods!(DVec3 [Vector(a)] (a) F64: length length_squared length_recip max_element min_element
-        element_sum element_product),
-    methods!(DVec3 [Vector(a), Vector(b)] (a, b) Vector: min max cross reflect project_onto
+static FUNCTIONS: &[&[Function]] = &[
+    methods!(f64 (a: F64) (a) -> F64: abs floor ceil round trunc fract signum sqrt cbrt recip sin
+        cos tan asin acos atan sinh cosh tanh exp exp2 ln log10 log2 to_degrees to_radians),
+    methods!(f64 (a: F64) (a) -> Bool: is_nan is_finite is_sign_negative is_sign_positive),
+    methods!(f64 (a: F64, b: F64) (a, b) -> F64: min max powf atan2 hypot copysign midpoint),
+    methods!(f64 (a: F64, b: I32) (a, b) -> F64: powi),
+    methods!(f64 (a: F64, b: F64, c: F64) (a, b, c) -> F64: mul_add),
+    methods!(DVec3 (a: Vector) (a) -> Vector: abs floor ceil round trunc fract signum sqrt sin cos
+        exp recip normalize normalize_or_zero),
+    methods!(DVec3 (a: Vector) (a) -> F64: length length_squared length_recip max_element
+        min_element element_sum element_product),
+    methods!(DVec3 (a: Vector, b: Vector) (a, b) -> Vector: min max cross reflect project_onto
         reject_from midpoint),
-    methods!(DVec3 [Vector(a), Vector(b)] (a, b) F64: dot distance distance_squared angle_between),
-    methods!(DVec3 [Vector(a), F64(b)] (a, b) Vector: powf with_x with_y with_z),
-    methods!(DVec3 [Vector(a), Vector(b), F64(c)] (a, b, c) Vector: lerp),
-    methods!(DVec3 [Vector(a), Vector(b), Vector(c)] (a, b, c) Vector: clamp mul_add),
-    constants!(f64 F64: MAX MIN NAN EPSILON INFINITY NEG_INFINITY),
-    constants!(DVec3 Vector: ZERO ONE NEG_ONE X Y Z NEG_X NEG_Y NEG_Z),
-    operators! {
-        "+" + checked_add;
-        "-" - checked_sub;
-        "*" * checked_mul;
-        "/" / checked_div;
-    },
-    comparisons! { "==" == "!=" != "<" < ">" > "<=" <= ">=" >= },
+    methods!(DVec3 (a: Vector, b: Vector) (a, b) -> F64: dot distance distance_squared
+        angle_between),
+    methods!(DVec3 (a: Vector, b: F64) (a, b) -> Vector: powf with_x with_y with_z),
+    methods!(DVec3 (a: Vector, b: Vector, c: F64) (a, b, c) -> Vector: lerp),
+    methods!(DVec3 (a: Vector, b: Vector, c: Vector) (a, b, c) -> Vector: clamp mul_add),
+    constants!(f64 -> F64: MAX MIN NAN EPSILON INFINITY NEG_INFINITY),
+    constants!(DVec3 -> Vector: ZERO ONE NEG_ONE X Y Z NEG_X NEG_Y NEG_Z),
+    operators!(+ - * /),
+    comparisons!(== != < > <= >=),
     functions! {
-        "if", [Bool(_), a, b] => if a.is_like(&b) { b } else { Unfit };
-        "&&", [Bool(_), Bool(b)] => Bool(b);
-        "||", [Bool(_), Bool(b)] => Bool(b);
-        "!", [Bool(a)] => Bool(!a);
-        "-", [F64(a)] => F64(-a);
-        "-", [Vector(a)] => Vector(-a);
-        "-", [I32(a)] => a.checked_neg().map_or(Stop, I32);
-        "%", [F64(a), F64(b)] => F64(remainder(a, b));
-        "%", [I32(a), I32(b)] => a.checked_rem(b).map_or(Stop, I32);
-        "f64::rem_euclid", [F64(a), F64(b)] => F64((remainder(a, b), a.rem_euclid(b)).1);
-        "i32::rem_euclid", [I32(a), I32(b)] => a.checked_rem_euclid(b).map_or(Stop, I32);
-        "f64::clamp", [F64(a), F64(min), F64(max)] => {
-            if min <= max { F64(a.clamp(min, max)) } else { Stop }
-        };
-        "as f64", [F64(a)] => F64(a);
-        "as f64", [I32(a)] => F64(a.into());
-        "as i32", [F64(a)] => I32(a as i32);
-        "as i32", [I32(a)] => I32(a);
-        "as i32", [Bool(a)] => I32(a.into());
-        "f64::from", [I32(a)] => F64(a.into());
-        "f64::from", [Bool(a)] => F64(a.into());
-        "DVec3::new", [F64(x), F64(y), F64(z)] => Vector(DVec3::new(x, y, z));
-        "DVec3::splat", [F64(a)] => Vector(DVec3::splat(a));
-        "DVec3::from", [Array(a)] => Vector(a.into());
-        "[…]", [F64(x), F64(y), F64(z)] => Array([x, y, z]);
-        "[0]", [Array([a, _, _])] => F64(a);
-        "[1]", [Array([_, a, _])] => F64(a);
-        "[2]", [Array([_, _, a])] => F64(a);
-        "[0]", [Vector(a)] => F64(a.x);
-        "[1]", [Vector(a)] => F64(a.y);
-        "[2]", [Vector(a)] => F64(a.z);
-        "DVec3.x", [Vector(a)] => F64(a.x);
-        "DVec3.y", [Vector(a)] => F64(a.y);
-        "DVec3.z", [Vector(a)] => F64(a.z);
-        "std::f64::consts::PI", [] => F64(consts::PI);
-        "std::f64::consts::TAU", [] => F64(consts::TAU);
+        "&&", (a: Bool, b: Bool) -> Bool = a && b;
+        "||", (a: Bool, b: Bool) -> Bool = a || b;
+        "!", (a: Bool) -> Bool = !a;
+        "-", (a: F64) -> F64 = -a;
+        "-", (a: Vector) -> Vector = -a;
+        "%", (a: F64, b: F64) -> F64 = a % b;
+        "f64::rem_euclid", (a: F64, b: F64) -> F64 = a.rem_euclid(b);
+        "as f64", (a: F64) -> F64 = a;
+        "as f64", (a: I32) -> F64 = a.into();
+        "as i32", (a: F64) -> I32 = a as i32;
+        "as i32", (a: I32) -> I32 = a;
+        "as i32", (a: Bool) -> I32 = a.into();
+        "f64::from", (a: I32) -> F64 = a.into();
+        "f64::from", (a: Bool) -> F64 = a.into();
+        "DVec3::new", (x: F64, y: F64, z: F64) -> Vector = DVec3::new(x, y, z);
+        "DVec3::splat", (a: F64) -> Vector = DVec3::splat(a);
+        "DVec3::from", (a: Array) -> Vector = a.into();
+        "[…]", (x: F64, y: F64, z: F64) -> Array = [x, y, z];
+        "[0]", (a: Array) -> F64 = a[0];
+        "[1]", (a: Array) -> F64 = a[1];
+        "[2]", (a: Array) -> F64 = a[2];
+        "[0]", (a: Vector) -> F64 = a.x;
+        "[1]", (a: Vector) -> F64 = a.y;
+        "[2]", (a: Vector) -> F64 = a.z;
+        "DVec3.x", (a: Vector) -> F64 = a.x;
+        "DVec3.y", (a: Vector) -> F64 = a.y;
+        "DVec3.z", (a: Vector) -> F64 = a.z;
+        "std::f64::consts::PI", () -> F64 = consts::PI;
+        "std::f64::consts::TAU", () -> F64 = consts::TAU;
+    },
+    // The operators of whole numbers stop a program if they overflow, as in a development build.
+    partial_functions! {
+        "+", (a: I32, b: I32) -> I32 = a.checked_add(b);
+        "-", (a: I32, b: I32) -> I32 = a.checked_sub(b);
+        "*", (a: I32, b: I32) -> I32 = a.checked_mul(b);
+        "/", (a: I32, b: I32) -> I32 = a.checked_div(b);
+        "%", (a: I32, b: I32) -> I32 = a.checked_rem(b);
+        "-", (a: I32) -> I32 = a.checked_neg();
+        "i32::rem_euclid", (a: I32, b: I32) -> I32 = a.checked_rem_euclid(b);
+        "f64::clamp", (a: F64, min: F64, max: F64) -> F64 = (min <= max).then(|| a.clamp(min, max));
     },
 ];
 
-/// Remainder of a division, which takes long where the quotient is large.
-fn remainder(a: f64, b: f64) -> f64 {
-    if 1e15 * b.abs() < a.abs() {
-        spend(40);
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use ValueType::{F64, I32, Vector};
+
+    #[test]
+    fn function_is_found_by_its_name_and_types() {
+        let result = |name, types: &[_]| find_function(name, types).map(|found| found.result);
+        assert_eq!(result("*", &[F64, Vector]), Some(Vector));
+        assert_eq!(result("*", &[I32, I32]), Some(I32));
+        assert_eq!(result("*", &[I32, F64]), None);
+        assert_eq!(result("DVec3::dot", &[Vector, Vector]), Some(F64));
+        assert_eq!(result("f64::dot", &[F64, F64]), None);
+        assert_eq!(result("DVec3::ZERO", &[]), Some(Vector));
     }
-    a % b
+
+    #[test]
+    fn function_has_no_result_where_the_program_would_stop() {
+        let apply = |name, a, b| {
+            let function = find_function(name, &[I32, I32]).expect("a function");
+            (function.apply)(&[Value::I32(a), Value::I32(b)])
+        };
+        assert_eq!(apply("+", i32::MAX, 0), Some(Value::I32(i32::MAX)));
+        assert_eq!(apply("+", i32::MAX, 1), None);
+        assert_eq!(apply("/", 7, 0), None);
+        assert_eq!(apply("%", i32::MIN, -1), None);
+    }
+
+    #[test]
+    fn remainder_of_a_large_quotient_counts_as_more() {
+        let operations = |a, b| remainder_operations(&[Value::F64(a), Value::F64(b)]);
+        assert_eq!((operations(1e15, 1.0), operations(-1e16, 1.0)), (1, 41));
+        assert_eq!(remainder_operations(&[Value::I32(7), Value::I32(2)]), 1);
+    }
 }

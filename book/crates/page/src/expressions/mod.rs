@@ -1,46 +1,25 @@
-//! The five steps, in which some expressions may be the reader's: what the listings of the book
-//! ask when lines are edited.
+//! The five steps with expressions of the reader's in them: what the listings of the book draw when
+//! their lines are edited.
 //!
-//! A *place* is an expression of the steps that carries the lecture (`places.txt`). The build
-//! script copies the steps' own source and puts a question, `editable!`, around each place.
-//! `syn` reads a reader's text, and the *compiler* makes closures of it, which run for each pixel.
-//! A value tells its type, and a table of *functions* what they do with values of which types: so
-//! the compiler, which knows a *sample* of each part's value, finds out by calling a function
-//! whether Rust would. What Rust would refuse is refused, with a range of the text and a sentence;
-//! so is what would stop the reader's program while it draws.
+//! A *place* is an expression of the steps that carries the lecture; `places.txt` lists them all.
+//! The build script copies the steps' own source and lets each place ask for the value of the
+//! reader's line first (`value_of_line`). A line is read by `syn`. The *compiler* looks up its
+//! operators, functions and methods in a table of *functions* with the types that Rust gives them,
+//! and joins the functions that it finds into one that runs for each pixel. What Rust would refuse
+//! is refused, with the part of the line that is wrong and a sentence. So is what would stop the
+//! reader's program while it draws, and what needs more *operations* than a page has time for.
 
-/// The reader's expression where `place` is edited, else the book's.
-macro_rules! editable {
-    ($place:literal, $book:expr, [$($variable:expr),*]) => {
-        match $crate::expressions::drawing::is_edited($place) {
-            false => $book,
-            true => {
-                use $crate::expressions::{drawing::evaluate, value::Value};
-                evaluate($place, vec![$(Value::from($variable)),*])
-            }
-        }
-    };
-}
-
-/// Tells the page where a development build of the reader's program would stop.
-macro_rules! debug_assert {
-    ($condition:expr, $sentence:literal) => {
-        if !$condition {
-            $crate::expressions::drawing::stop_outside($sentence);
-        }
-    };
-}
-
-#[allow(clippy::all, missing_docs, dead_code, unused_imports, reason = "copied code")]
+#[allow(clippy::all, missing_docs, dead_code, unused, reason = "copied code")]
 mod steps {
     include!(concat!(env!("OUT_DIR"), "/steps.rs"));
 }
 
 mod compiler;
-mod drawing;
-mod expression;
+mod edited_picture;
+mod evaluation;
 mod functions;
 mod operation;
+mod part;
 mod refusal;
 mod refused_call;
 mod statements;
@@ -48,6 +27,10 @@ mod syntax;
 mod value;
 
 pub use compiler::parse_expression;
-pub use drawing::{TOO_LONG, draw_edited};
-pub use refusal::Refusal;
+pub use edited_picture::{LineRefusal, draw_edited, draw_pixels};
+pub use evaluation::Expression;
+pub use refusal::{Fault, Refusal};
 pub use value::Value;
+
+// What the copy of the steps calls, besides `draw_pixels`.
+use edited_picture::{stop_unless, value_of_line};

@@ -1,34 +1,33 @@
-use crate::expressions::refusal::{Checked, refuse};
+//! Syntax that calls a function of its parts, in whatever way.
+
+use crate::expressions::refusal::{Fault, Refusal, refuse};
 use quote::ToTokens;
 use std::iter::once;
 use std::ops::Range;
 use syn::spanned::Spanned;
 use syn::{Expr, UnOp};
 
-const UNSUPPORTED: &str = "A page can't draw with this part of Rust: it knows let, if … else, \
-    blocks, arrays of three numbers, vectors and their methods.";
-
-/// A function under its name in the table, the parts of a text that it takes, and where its name or
-/// its sign stands.
+/// A function under its name in the table, the parts of a line that it takes, and the range of its
+/// name or its sign.
 type Operation<'a> = (String, Vec<&'a Expr>, Range<usize>);
 
-/// The bytes of a part of the text.
+/// The bytes of a part of the line.
 pub fn range_of(syntax: &impl Spanned) -> Range<usize> {
     syntax.span().byte_range()
 }
 
-/// A part of the text without blanks and comments.
+/// A part of the line without blanks and comments.
 pub fn write_tokens(syntax: &impl ToTokens) -> String {
     syntax.to_token_stream().to_string().split_whitespace().collect()
 }
 
 /// The function or operator that this syntax calls, and its operands.
-pub fn split_operation(syntax: &Expr) -> Checked<Operation<'_>> {
+pub fn split_operation(syntax: &Expr) -> Result<Operation<'_>, Refusal> {
     Ok(match syntax {
         Expr::Unary(unary) => {
             let sign = range_of(&unary.op);
             if let UnOp::Deref(_) = unary.op {
-                return refuse(sign, "A value is missing before this. Powers are .powi(2).");
+                return refuse(sign, Fault::Dereference);
             }
             (write_tokens(&unary.op), vec![&*unary.expr], sign)
         }
@@ -58,10 +57,12 @@ pub fn split_operation(syntax: &Expr) -> Checked<Operation<'_>> {
         Expr::Call(call) if !call.args.is_empty() => {
             (write_tokens(&call.func), call.args.iter().collect(), range_of(&call.func))
         }
-        Expr::Reference(one) => return refuse(range_of(&one.and_token), "Leave out the &."),
-        Expr::Assign(one) => {
-            return refuse(range_of(&one.eq_token), "For =, Rust has == to compare.");
+        Expr::Reference(reference) => {
+            return refuse(range_of(&reference.and_token), Fault::Reference);
         }
-        _ => return refuse(range_of(syntax), UNSUPPORTED),
+        Expr::Assign(assignment) => {
+            return refuse(range_of(&assignment.eq_token), Fault::Assignment);
+        }
+        _ => return refuse(range_of(syntax), Fault::Unsupported),
     })
 }

@@ -1,68 +1,94 @@
-//! What a line may have besides functions of its parts.
+//! `if` and `let`, which are more than functions of their parts.
 
 use crate::expressions::compiler::Compiler;
-use crate::expressions::expression::Part;
+use crate::expressions::evaluation::Run;
 use crate::expressions::operation::range_of;
-use crate::expressions::refusal::{Checked, refuse};
+use crate::expressions::part::Part;
+use crate::expressions::refusal::{Fault, Refusal, refuse};
+use crate::expressions::refused_call::explain_mismatch;
 use crate::expressions::value::Value;
+use course::ValueType;
 use std::ops::Range;
-use std::sync::Arc;
+use std::rc::Rc;
 use syn::{ExprIf, Ident, LocalInit, Pat, PatIdent, Stmt};
-
-const BLOCK: &str = "A block here has let x = …; and a value at its end.";
 
 impl Compiler<'_> {
     /// One of two values.
-    pub fn branches(&mut self, branches: &ExprIf) -> Checked<Part> {
-        let sign = range_of(&branches.if_token);
+    pub fn branches(&mut self, branches: &ExprIf) -> Result<Part, Refusal> {
         let Some((_, other)) = &branches.else_branch else {
-            let sentence = "This if needs an else { … }: what is the value otherwise?";
-            return refuse(sign, sentence);
+            return refuse(range_of(&branches.if_token), Fault::MissingElse);
         };
         let condition = self.expression(&branches.cond)?;
         let then = &branches.then_branch;
         let then = self.statements(&then.stmts, range_of(then))?;
         let other = self.expression(other)?;
-        self.call("if", vec![condition, then, other], sign)
+        for (part, wanted) in [(&condition, ValueType::Bool), (&other, then.value_type)] {
+            if part.value_type != wanted {
+                let fault = explain_mismatch("if takes", part, self.text, wanted);
+                return refuse(part.range.clone(), fault);
+            }
+        }
+        let (value_type, is_open) = (then.value_type, then.is_open && other.is_open);
+        let run = match condition.constant_value() {
+            Some(Value::Bool(true)) => then.run,
+            Some(_) => other.run,
+            None => {
+                let (condition, then, other) = (condition.run, then.run, other.run);
+                Run::Call(Rc::new(move |evaluation| {
+                    evaluation.spend(1)?;
+                    match condition.evaluate(evaluation)? {
+                        Value::Bool(true) => then.evaluate(evaluation),
+                        _ => other.evaluate(evaluation),
+                    }
+                }))
+            }
+        };
+        Ok(Part { run, value_type, is_open, range: 0..0 })
     }
 
     /// The value of these statements, the last of a block at this range.
-    pub fn statements(&mut self, statements: &[Stmt], range: Range<usize>) -> Checked<Part> {
+    pub fn statements(
+        &mut self,
+        statements: &[Stmt],
+        range: Range<usize>,
+    ) -> Result<Part, Refusal> {
         let (local, rest) = match statements {
             [Stmt::Expr(value, None)] => return self.expression(value),
             [Stmt::Local(local), rest @ ..] => (local, rest),
-            _ => return refuse(range, BLOCK),
+            _ => return refuse(range, Fault::Block),
         };
         let (
             Pat::Ident(PatIdent { ident, by_ref: None, subpat: None, .. }),
             Some(LocalInit { expr, diverge: None, .. }),
         ) = (&local.pat, &local.init)
         else {
-            return refuse(range, BLOCK);
+            return refuse(range, Fault::Block);
         };
         let value = self.expression(expr)?;
-        let named_part = match value.is_constant {
+        let is_constant = value.constant_value().is_some();
+        let named_part = match is_constant {
             true => value.clone(),
-            false => self.new_slot(value.sample, value.is_open),
+            false => self.new_slot(value.value_type, value.is_open),
         };
         self.add_name(ident, named_part)?;
         let part = self.statements(rest, range)?;
         self.names.pop();
-        if value.is_constant {
+        if is_constant {
             return Ok(part);
         }
-        let run = move |slots: &mut Vec<Value>| {
-            let named_value = (value.run)(slots)?;
-            slots.push(named_value);
-            let result = (part.run)(slots);
-            slots.pop();
+        let (value, rest) = (value.run, part.run);
+        let run = Run::Call(Rc::new(move |evaluation| {
+            let value = value.evaluate(evaluation)?;
+            evaluation.slots.push(value);
+            let result = rest.evaluate(evaluation);
+            evaluation.slots.pop();
             result
-        };
-        Ok(Part { run: Arc::new(run), is_constant: false, ..part })
+        }));
+        Ok(Part { run, ..part })
     }
 
     /// Makes a name known, which `let` gives to a value.
-    fn add_name(&mut self, ident: &Ident, part: Part) -> Checked<()> {
+    fn add_name(&mut self, ident: &Ident, part: Part) -> Result<(), Refusal> {
         let name = ident.to_string();
         let is_end = |sign: char| !sign.is_alphanumeric() && sign != '_';
         let mut firsts = self.names.iter().map(|(known, _)| known.split(is_end).next());
@@ -70,7 +96,7 @@ impl Compiler<'_> {
             || ["self", "gen"].contains(&&*name)
             || name.starts_with(char::is_uppercase)
         {
-            return refuse(range_of(ident), "Take another name here, in small letters.");
+            return refuse(range_of(ident), Fault::Name);
         }
         self.names.push((name, part));
         Ok(())

@@ -1,10 +1,10 @@
 //! A thousand made lines: what rustc refuses, or what stops in a development build, is refused,
 //! and what is drawn is equal to the last bit.
 
-use course::{Place, cargo_command, target_folder, workspace};
+use course::{Place, ValueType, cargo_command, target_folder, workspace};
 use fastrand::Rng;
 use glam::dvec3;
-use page::expressions::{Value, parse_expression};
+use page::expressions::{Fault, Refusal, Value, parse_expression};
 use std::{collections::BTreeSet, fs};
 
 const PARAMETERS: &str = "d: f64, e: f64, n: DVec3, l: DVec3, k: i32, yes: bool";
@@ -91,13 +91,25 @@ fn rustc_judges_made_lines() {
     let [n, l] = [dvec3(0.5, -0.25, 2.0), dvec3(0.0, 0.0, 1.0)].map(Value::Vector);
     let [d, e] = [0.75, -3.5].map(Value::F64);
     let values = vec![d, e, n, l, Value::I32(-3), Value::Bool(true)];
-    let variables = PARAMETERS.split(", ").filter_map(|one| one.split_once(": ")).collect();
-    let mut place = Place { index: 0, name: "", file: "", code: "", kind: "", variables };
+    let parse_type = |name| ValueType::from_name(name).expect("a type");
+    let variables = PARAMETERS.split(", ").filter_map(|one| one.split_once(": "));
+    let mut place = Place {
+        index: 0,
+        name: "",
+        file: "",
+        has_vectors: true,
+        code: "",
+        value_type: ValueType::F64,
+        variables: variables.map(|(name, type_name)| (name, parse_type(type_name))).collect(),
+        notes: vec![],
+    };
     let (mut wrong, mut only_here, mut equal) = (String::new(), String::new(), 0);
     for ((kind, text), judged) in lines.iter().zip(ask_rustc(&lines)) {
-        place.kind = kind;
-        let line = parse_expression(&place, text);
-        let value = line.and_then(|line| line.evaluate(values.clone()));
+        place.value_type = parse_type(kind);
+        let value = parse_expression(&place, text).and_then(|line| {
+            let no_result = Refusal { range: 0..text.len(), fault: Fault::NoResult };
+            line.evaluate(&values).ok_or(no_result)
+        });
         // Without the name of the type.
         let value =
             value.map(|value| format!("{value:?}").split_once('(').expect("one").1.to_owned());
@@ -105,7 +117,7 @@ fn rustc_judges_made_lines() {
         match (judged.as_deref(), value) {
             (None | Some("stop"), Err(_)) => {}
             (Some(right), Ok(value)) if value == right => equal += 1,
-            (Some(_), Err(refusal)) => only_here += &format!("{text}: {}\n", refusal.sentence),
+            (Some(_), Err(refusal)) => only_here += &format!("{text}: {refusal}\n"),
             (right, value) => wrong += &format!("{text}: {value:?}, rustc {right:?}\n"),
         }
     }

@@ -2,8 +2,7 @@
 //! between ⟦ and ⟧.
 
 use course::all_listed_places;
-use page::expressions::{Refusal, draw_edited, parse_expression};
-use std::ops::Range;
+use page::expressions::{Fault, Refusal, draw_edited, parse_expression};
 
 #[test]
 fn refused_lines_have_their_range_and_sentence() {
@@ -12,20 +11,65 @@ fn refused_lines_have_their_range_and_sentence() {
         let (name, text) = line.split_once(' ').expect("a place and a text");
         report += &match draw(name, text) {
             Ok(()) => format!("{name} {text}\n"),
-            Err(Refusal { range: Range { start, end }, sentence }) => {
-                let end = text.ceil_char_boundary(end);
+            Err(Refusal { range, fault }) => {
+                let (start, end) = (range.start, text.ceil_char_boundary(range.end));
                 let [before, wrong, after] = [&text[..start], &text[start..end], &text[end..]];
-                format!("{name} {before}⟦{wrong}⟧{after}\n    {sentence}\n")
+                format!("{name} {before}⟦{wrong}⟧{after}\n    {fault}\n")
             }
         };
     }
     insta::assert_snapshot!(report);
 }
 
+/// Draws a small picture.
 fn draw(name: &str, text: &str) -> Result<(), Refusal> {
+    draw_within(name, text, 30_000)
+}
+
+fn draw_within(name: &str, text: &str, operations: u64) -> Result<(), Refusal> {
     let place = all_listed_places().into_iter().find(|place| place.name == name);
     let line = parse_expression(&place.expect("a place"), text)?;
-    draw_edited(&[line], 64, 30_000).map(|_| ()).map_err(|(_, refusal)| refusal)
+    draw_edited(&[line], 64, operations).map(|_| ()).map_err(|line| line.refusal)
+}
+
+#[test]
+fn operations_are_counted_where_they_are_evaluated() {
+    for (text, operations_per_pixel) in [
+        ("DVec3::ONE", 1),
+        ("2.0 * DVec3::ONE", 1),
+        ("v + v", 2),
+        ("{ let w = v + v; w + w }", 3),
+        ("if v.x < 9.0 { v } else { v.sin().cos().exp() }", 4),
+        ("DVec3::X * f64::from(v.x < 9.0 || v.y.sin().cos() < 0.0)", 6),
+        ("v * (1e300 % v.x)", 44),
+    ] {
+        let operations = 64 * 36 * operations_per_pixel;
+        assert_eq!(draw_within("sky", text, operations), Ok(()), "{text}");
+        let refusal = Refusal { range: 0..text.len(), fault: Fault::OutOfOperations };
+        assert_eq!(draw_within("sky", text, operations - 1), Err(refusal), "{text}");
+    }
+}
+
+#[test]
+fn branches_of_vectors_are_drawn_in_full_size() {
+    for line in [
+        "diffuse if n.dot(l) > 0.5 { material.diffuse } else if n.dot(l) > 0.0 \
+         { material.diffuse * 0.4 } else { DVec3::ZERO }",
+        "sky if v.x * v.x + v.y * v.y < 0.04 { DVec3::new(1.0, 0.9, 0.2) } else { 0.7 + 0.3 * v }",
+    ] {
+        let text = page::answer(&format!("edit 640 {line}"), &[]).text;
+        assert!(text.contains("\"size\":[640,360]"), "{line}: {text}");
+    }
+}
+
+#[test]
+fn long_line_is_drawn_smaller() {
+    for operators in [20, 60] {
+        let line = format!("sky v{}", "+v".repeat(operators));
+        let text = page::answer(&format!("edit 640 {line}"), &[]).text;
+        assert!(text.contains("\"size\":[320,180]"), "{line}: {text}");
+        assert!(text.contains("Drawn smaller"), "{line}: {text}");
+    }
 }
 
 #[test]
@@ -36,14 +80,14 @@ fn too_long_text_is_refused() {
         (format!("1.0{}", "+v.x*v.x".repeat(20)), "longer than a page"),
     ] {
         let refusal = draw("a", &text).expect_err("it is refused");
-        assert!(refusal.sentence.contains(words), "{text}: {}", refusal.sentence);
+        assert!(refusal.to_string().contains(words), "{text}: {refusal}");
     }
 }
 
 #[test]
 fn text_is_too_long_from_251_bytes_on() {
     let longest = format!("{:250}", "v.dot(v)");
-    assert_eq!(draw("a", &longest).err().map(|refusal| refusal.sentence), None);
+    assert_eq!(draw("a", &longest), Ok(()));
     assert!(draw("a", &(longest + " ")).is_err());
 }
 

@@ -1,24 +1,25 @@
 //! Each place as it stands draws the locked picture; a listed mistake that is typed into it draws
 //! that mistake's.
 
+use course::environment::is_thorough;
 use course::{
     Mistake, Place, TableRow, all_listed_places, hash_picture, locked_hashes, mistakes, table_rows,
     workspace,
 };
 use page::expressions::{draw_edited, parse_expression};
-use std::{env, fs, iter::once};
+use std::{fs, iter::once};
 
 /// The places as they stand, and a tenth of the listed mistakes that change one place and nothing
-/// else, all where THOROUGH is set.
+/// else, or all of them with THOROUGH=1.
 #[test]
 fn places_and_listed_mistakes_are_drawn_by_an_edited_line() {
-    let step = if env::var_os("THOROUGH").is_some() { 1 } else { 10 };
+    let step = if is_thorough() { 1 } else { 10 };
     let (mut count, mut refusals) = (0, vec![]);
     for place in all_listed_places() {
         for (text, expected) in known_pictures(&place).into_iter().step_by(step) {
             count += 1;
             let picture = parse_expression(&place, &text).and_then(|expression| {
-                draw_edited(&[expression], 640, i64::MAX).map_err(|(_, refusal)| refusal)
+                draw_edited(&[expression], 640, u64::MAX).map_err(|line| line.refusal)
             });
             let line = format!("{}: {text}", place.name);
             match picture {
@@ -29,8 +30,8 @@ fn places_and_listed_mistakes_are_drawn_by_an_edited_line() {
                      has changed, `cargo xtask` makes the table anew"
                 ),
                 Err(refusal) => {
-                    assert_ne!(text, place.code, "{line}: {}", refusal.sentence);
-                    refusals.push(format!("{line}: {}", refusal.sentence));
+                    assert_ne!(text, place.code, "{line}: {refusal}");
+                    refusals.push(format!("{line}: {refusal}"));
                 }
             }
         }

@@ -4,7 +4,7 @@
 use glam::DVec3;
 use step02_sphere::{Ray, Roots};
 use step03_nearest::{OBJECTS, Object, nearest};
-use tests::primary_rays;
+use support::primary_rays;
 
 /// "Red is the first in the list and loses every overlap, but wherever two others overlap,
 /// the nearer one happens to come later."

@@ -1,0 +1,164 @@
+//! Pictures of the steps with lines of the reader's in them.
+
+use crate::expressions::evaluation::{Evaluation, Expression, Interruption};
+use crate::expressions::refusal::{Fault, Refusal};
+use crate::expressions::steps::{
+    step01_rays, step02_sphere, step03_nearest, step04_diffuse, step05_phong,
+};
+use crate::expressions::value::Value;
+use image::{Rgb, RgbImage};
+use std::cell::{Cell, RefCell};
+use step01_rays::Camera;
+
+/// A line that isn't drawn: the name of its place, and why.
+#[derive(Clone, Debug)]
+pub struct LineRefusal {
+    /// The name of its place.
+    pub place: &'static str,
+    /// What is wrong with the line.
+    pub refusal: Refusal,
+}
+
+/// What the copy of the steps draws with.
+struct Context {
+    /// A bit for the position of each place in places.txt: whether it has a line of the reader's.
+    edited: Cell<u64>,
+    picture: RefCell<EditedPicture>,
+}
+
+/// A picture, while it is drawn.
+struct EditedPicture {
+    /// The reader's lines.
+    lines: Vec<Expression>,
+    evaluation: Evaluation,
+    /// Why the picture isn't drawn to its end.
+    refusal: Option<LineRefusal>,
+}
+
+thread_local! {
+    /// The context of the picture that this thread draws; if it draws none, all lines are the
+    /// book's. The functions of the steps have no parameter for it, and they are shown in the book,
+    /// so they don't get one. All else is passed.
+    static CONTEXT: Context = const {
+        Context { edited: Cell::new(0), picture: RefCell::new(EditedPicture::new(vec![], 0)) }
+    };
+}
+
+impl EditedPicture {
+    /// A picture that may take this many operations.
+    const fn new(lines: Vec<Expression>, operations: u64) -> Self {
+        Self { lines, evaluation: Evaluation::new(operations), refusal: None }
+    }
+
+    /// The value of the line at a place; None once a line is refused.
+    fn evaluate(&mut self, place_index: usize, variables: &[Value]) -> Option<Value> {
+        if self.refusal.is_some() {
+            return None;
+        }
+        let line = self.lines.iter().find(|line| line.place_index == place_index)?;
+        let interruption = match self.evaluation.evaluate(&line.run, variables) {
+            Ok(value) => return Some(value),
+            Err(interruption) => interruption,
+        };
+        let (range, fault) = match interruption {
+            Interruption::NoResult(range) => (range, Fault::NoResult),
+            Interruption::OutOfOperations => (0..line.length, Fault::OutOfOperations),
+        };
+        let refusal = Refusal { range, fault };
+        self.refusal = Some(LineRefusal { place: line.place_name, refusal });
+        None
+    }
+}
+
+/// The value of the reader's line at a place where its variables have these values, or None if the
+/// line is the book's.
+#[inline(always)]
+pub fn value_of_line<T, const N: usize>(
+    place_index: usize,
+    variables: impl FnOnce() -> [Value; N],
+) -> Option<T>
+where
+    T: Default + TryFrom<Value>,
+{
+    if CONTEXT.with(|context| context.edited.get() >> place_index & 1 == 0) {
+        return None;
+    }
+    Some(evaluate_line(place_index, &variables()))
+}
+
+#[inline(never)]
+fn evaluate_line<T: Default + TryFrom<Value>>(place_index: usize, variables: &[Value]) -> T {
+    let evaluate =
+        |context: &Context| context.picture.borrow_mut().evaluate(place_index, variables);
+    let value = CONTEXT.with(evaluate);
+    value.and_then(|value| T::try_from(value).ok()).unwrap_or_default()
+}
+
+/// Ends the picture where a development build of the reader's program would stop.
+pub fn stop_unless(condition: bool, sentence: &'static str) {
+    if condition {
+        return;
+    }
+    CONTEXT.with(|context| {
+        let EditedPicture { lines, refusal, .. } = &mut *context.picture.borrow_mut();
+        let Some(line) = lines.first() else { return };
+        let fault = Fault::Assertion(sentence);
+        refusal.get_or_insert(LineRefusal {
+            place: line.place_name,
+            refusal: Refusal { range: 0..line.length, fault },
+        });
+    });
+}
+
+/// Draws a picture pixel by pixel until a line is refused. The copy of the steps has it in place of
+/// their function of this name, which uses all processors: the context is that of one thread.
+pub fn draw_pixels(camera: &Camera, pixel: impl Fn(f64, f64) -> Rgb<u8> + Sync) -> RgbImage {
+    let mut picture = RgbImage::new(camera.h_res, camera.v_res);
+    for (i, j, rgb) in picture.enumerate_pixels_mut() {
+        *rgb = pixel(i.into(), j.into());
+        if CONTEXT.with(|context| context.picture.borrow().refusal.is_some()) {
+            break;
+        }
+    }
+    picture
+}
+
+/// The picture of a step with expressions in place of the book's, which may take this many
+/// operations in all. Errors outside the expressions are attributed to the first place.
+pub fn draw_edited(
+    lines: &[Expression],
+    columns: u32,
+    operations: u64,
+) -> Result<RgbImage, LineRefusal> {
+    let draw = match lines.first().map_or("", |line| line.step_name) {
+        "step01_rays" => step01_rays::picture,
+        "step02_sphere" => step02_sphere::picture,
+        "step03_nearest" => step03_nearest::picture,
+        "step04_diffuse" => step04_diffuse::picture,
+        _ => step05_phong::picture,
+    };
+    let edited = lines.iter().fold(0, |bits, line| bits | 1 << line.place_index);
+    let picture = CONTEXT.with(|context| {
+        context.picture.replace(EditedPicture::new(lines.to_vec(), operations));
+        context.edited.set(edited);
+        let camera = Camera::new(columns, columns * 9 / 16, 60_f64.to_radians());
+        let picture = draw(&camera, 1);
+        context.edited.set(0);
+        picture
+    });
+    let is_over = CONTEXT.with(|context| context.picture.replace(EditedPicture::new(vec![], 0)));
+    match is_over.refusal {
+        Some(refusal) => Err(refusal),
+        None => Ok(picture),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use course::all_listed_places;
+
+    #[test]
+    fn each_place_has_a_bit() {
+        assert!(all_listed_places().len() <= u64::BITS as usize);
+    }
+}
