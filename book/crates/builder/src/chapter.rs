@@ -387,7 +387,7 @@ impl<'a> Chapter<'a> {
             Ok(live) => live,
             Err(error) => return Some(Err(error)),
         };
-        if let Some(picture) = live.filter(|live| live.has_probe()) {
+        if let Some(picture) = live.filter(|live| live.probe().is_some()) {
             self.missing_panel = Some((range.start, picture.name));
         }
         Some(self.figures_html(&pictures, live))

@@ -1,10 +1,12 @@
+//! The form that says whether a picture is right.
+
 use crate::Sources;
 use crate::fault::{ChapterError, ChapterResult};
 
-/// The form into which a reader drops a picture to ask whether it is right, for
-/// `{{#check name}}`; without a name, the file's own tells which picture it should be.
+/// The form into which a reader drops a picture to ask whether it is right, for `{{#check name}}`.
+/// Without a name, the name of the file says which picture it should be.
 ///
-/// Hidden where no script can answer; see book/theme/check_form.js.
+/// It is hidden if no script can look at the picture; see book/theme/check_form.js.
 pub fn html(name: &str, sources: &Sources) -> ChapterResult<String> {
     let mut scene_field = "";
     let (name, words) = match name {
@@ -21,7 +23,7 @@ pub fn html(name: &str, sources: &Sources) -> ChapterResult<String> {
         name => return Err(ChapterError::UnknownLockedPicture(name.to_owned())),
     };
     Ok(format!(
-        "<form class=\"check\" data-live=\"check\" data-name=\"{name}\" hidden>\
+        "<form class=\"check\" data-check=\"{name}\" hidden>\
          <label><b>Is it right?</b> {words} It stays on your computer. \
          <input type=\"file\" accept=\"image/png\"></label>{scene_field}\
          <button type=\"reset\" class=\"reset\" disabled>Reset</button>\

@@ -1,130 +1,127 @@
-use figures::{ControlKind, Figure, Parameter, escape, italic_letter};
+//! The controls below an interactive figure.
+
+use figures::{Figure, Parameter, ParameterKind, escape, italic_letter};
 
 const HINT: &str = "<span class=\"hint\">Click or tap the picture, or move the cross \
                     with the arrow keys, to choose a pixel.</span>";
 
 const RESET: &str = "<button type=\"button\" class=\"reset\" disabled>Reset</button>";
 
-/// The controls below a figure or picture: one for each parameter but [`ControlKind::Columns`].
-/// Number fields for what a handle sets are folded away. Where parameters have groups, the page
-/// shows those of one at a time.
+/// The controls below a figure, one for each parameter. Number fields for what a handle sets are
+/// folded away. An editable scene has a choice of its objects, and the page shows the controls of
+/// one object at a time.
 ///
-/// Hidden where no script can answer, and there from the first where one
-/// will, to be set as soon as it can; see book/theme/figure.js.
-pub fn html(live: &Figure) -> String {
-    let mut groups: Vec<_> = live.parameters.iter().map(|parameter| parameter.group).collect();
-    groups.dedup();
-    groups.retain(|group| !group.is_empty());
+/// They are hidden if no script can make the figure interactive. Otherwise they are shown from the
+/// first, and work as soon as the module has come; see book/theme/figure.js.
+pub fn html(figure: &Figure) -> String {
     let (mut exact, mut above, mut below) = (vec![], String::new(), String::new());
-    for (k, parameter) in live.parameters.iter().enumerate() {
-        let control = Control::new(live, k, parameter);
-        match parameter.control {
-            ControlKind::Columns => {}
-            _ if control.is_exact => exact.push(control),
-            ControlKind::Switch => above += &control.html(),
-            _ if groups.is_empty() => above += &control.html(),
-            _ => below += &control.html(),
+    for parameter in &figure.parameters {
+        let control = Control { figure, parameter };
+        if control.is_exact() {
+            exact.push(control);
+        } else if parameter.kind == ParameterKind::Switch || figure.editable_scene.is_none() {
+            above += &control.html();
+        } else {
+            below += &control.html();
         }
     }
-    let hint = if live.has_probe() { HINT } else { "" };
-    let content = if groups.is_empty() {
-        format!("{above}{}{RESET}", exact_html(&exact))
-    } else {
-        let options = groups.iter().map(|group| format!("<option>{}</option>", escape(group)));
-        let options: String = options.collect();
+    let hint = if figure.probe().is_some() { HINT } else { "" };
+    let content = if figure.editable_scene.is_some() {
+        let mut objects: Vec<_> =
+            figure.parameters.iter().filter_map(|parameter| parameter.id.object()).collect();
+        objects.dedup();
+        let options: String =
+            objects.iter().map(|object| format!("<option>{}</option>", escape(object))).collect();
         format!(
             "<div class=\"choice\"><label>Change <select>{options}</select></label>\
              {above}{RESET}</div>{below}"
         )
+    } else {
+        format!("{above}{}{RESET}", exact_html(&exact))
     };
     format!("<div class=\"controls\" hidden inert>{hint}{content}</div>")
 }
 
-/// The folded number fields, in a row for each object that they are of.
+/// The folded number fields, with a row for each object that they belong to.
 fn exact_html(exact: &[Control]) -> String {
     if exact.is_empty() {
         return String::new();
     }
-    let rows = exact.chunk_by(|one, other| one.words == other.words).map(|row| {
+    let words = |control: &Control| control.parameter.words.clone();
+    let rows = exact.chunk_by(|one, other| words(one) == words(other)).map(|row| {
         let fields: String = row.iter().map(Control::html).collect();
-        let object = escape(row[0].words.strip_prefix("of ").unwrap_or(&row[0].words));
+        let words = words(&row[0]);
+        let object = escape(words.strip_prefix("of ").unwrap_or(&words));
         format!("<span class=\"row\"><span>{object}</span>{fields}</span>")
     });
     let rows: String = rows.collect();
     format!("<details class=\"exact\"><summary>Exact values</summary>{rows}</details>")
 }
 
-/// A parameter, its number, and what it is called.
+/// The control of a parameter.
 struct Control<'a> {
-    live: &'a Figure,
-    k: usize,
+    figure: &'a Figure,
     parameter: &'a Parameter,
-    symbol: &'static str,
-    words: String,
-    /// Whether a handle sets it, or another coordinate of the same object.
-    is_exact: bool,
 }
 
-impl<'a> Control<'a> {
-    /// A coordinate of a handle is called by it.
-    fn new(live: &'a Figure, k: usize, parameter: &'a Parameter) -> Self {
-        let Parameter { words, group, .. } = parameter;
-        let handle = live.handles.iter().find(|handle| handle.parameters.contains(&k));
-        let handle = handle.filter(|_| group.is_empty());
-        let mut set = live.handles.iter().flat_map(|handle| handle.parameters);
-        let is_of_object = |k: usize| group.is_empty() && live.parameters[k].words == *words;
-        let is_exact = handle.is_some() || !words.is_empty() && set.any(is_of_object);
-        let (symbol, words) = match handle.filter(|_| words.is_empty()) {
-            None => (parameter.symbol, words.clone()),
-            Some(handle) => match handle.parameters {
-                [x, y] if x == y => ("", handle.words.to_string()),
-                [x, _] if x == k => ("x", format!("of {}", handle.words)),
-                _ => ("y", format!("of {}", handle.words)),
-            },
-        };
-        Self { live, k, parameter, symbol, words, is_exact }
+impl Control<'_> {
+    /// Whether a handle sets it, or another coordinate of the same object. An editable scene has
+    /// all controls in view.
+    fn is_exact(&self) -> bool {
+        let Self { figure, parameter } = self;
+        let is_moved = figure.handles.iter().any(|handle| handle.moves(parameter.id));
+        is_moved && figure.editable_scene.is_none()
     }
 
-    /// The control at its default. What a handle sets has no range beside its number field.
+    /// The object that the page shows it for; None if it is there for all.
+    fn object(&self) -> Option<&'static str> {
+        self.figure.editable_scene.as_ref().and(self.parameter.id.object())
+    }
+
+    /// Whether the control is shown before anything has been touched: in an editable scene, the
+    /// controls of the first object that has a handle.
+    fn is_shown_at_first(&self) -> bool {
+        let Self { figure, parameter } = self;
+        let handle = figure.handles.first().filter(|_| figure.editable_scene.is_some());
+        let is_of_first_object =
+            self.object() == handle.and_then(|handle| handle.horizontal.object());
+        (parameter.has_control)(parameter, &figure.default_values()) && is_of_first_object
+    }
+
+    /// The control at its default. What a handle sets has a number field without a slider.
     fn html(&self) -> String {
-        let Self { live, k, parameter, symbol, words, .. } = self;
-        let Parameter { range: [min, max], steps_per_unit, default, group, .. } = parameter;
-        let step = 1.0 / steps_per_unit;
+        let Parameter { id, symbol, words, unit, range: [min, max], default, .. } = self.parameter;
+        let step = self.parameter.step();
         let range = format!("min=\"{min}\" max=\"{max}\" step=\"{step}\" value=\"{default}\"");
         let slider = format!("<input type=\"range\" {range}>");
         let name = escape(&format!("{symbol} {words}"));
         let number = format!("<input type=\"number\" aria-label=\"{name}\" {range}>");
         let label = label_html(symbol, words);
-        let (class, content) = match parameter.control {
-            ControlKind::Columns => Default::default(),
-            ControlKind::Switch => {
+        let (class, content) = match self.parameter.kind {
+            ParameterKind::Switch => {
                 let checked = if *default == 1.0 { " checked" } else { "" };
                 let field = format!("<input type=\"checkbox\"{checked}>");
                 ("switch", format!("<label>{label}{field}</label>"))
             }
-            ControlKind::Choice(_) => {
-                let text = escape(&parameter.format(*default));
+            ParameterKind::Choice(_) => {
+                let text = escape(&self.parameter.format(*default));
                 let text = format!("<b aria-hidden=\"true\">{text}</b>");
                 ("range", format!("<label>{label}{slider}</label>{text}"))
             }
-            ControlKind::Number(unit) if self.is_exact => {
+            ParameterKind::Number if self.is_exact() => {
                 let label = label_html(symbol, "");
                 ("field", format!("<label>{label} {number}{}</label>", escape(unit)))
             }
-            ControlKind::Number(unit) => {
+            ParameterKind::Number => {
                 let field = format!("<span>{number}{}</span>", escape(unit));
                 ("range", format!("<label>{label}{slider}</label>{field}"))
             }
         };
-        let first = live.handles.first().map(|handle| handle.parameters[0]);
-        let first_group = first.map_or("", |k| live.parameters[k].group);
-        let has_control = (parameter.has_control)(parameter, &live.default_values());
-        let hidden = if has_control && *group == first_group { "" } else { " hidden" };
-        let group = match *group {
-            "" => String::new(),
-            group => format!(" data-group=\"{}\"", escape(group)),
-        };
-        format!("<div class=\"{class}\" data-parameter=\"{k}\"{group}{hidden}>{content}</div>")
+        let hidden = if self.is_shown_at_first() { "" } else { " hidden" };
+        let object = self
+            .object()
+            .map_or(String::new(), |object| format!(" data-object=\"{}\"", escape(object)));
+        format!("<div class=\"{class}\" data-parameter=\"{id}\"{object}{hidden}>{content}</div>")
     }
 }
 

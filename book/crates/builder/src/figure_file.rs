@@ -1,18 +1,18 @@
+//! The drawings as files for slides.
+
 use anyhow::Result;
-use figures::{FIGURES, Output};
+use figures::{Content, FIGURES};
 use std::fs;
 use std::path::Path;
 
-/// All drawings at their defaults as SVG files such as `figure-row.svg`, for slides: each has
-/// the style of the theme inside, with its light colours.
+/// All drawings at their defaults as SVG files such as `figure-row.svg`. Each contains the style of
+/// the theme, with its light colours.
 pub fn svg_files(workspace: &Path) -> Result<Vec<(String, Vec<u8>)>> {
     let read = |file| fs::read_to_string(workspace.join("book/theme/css").join(file));
     let style = standalone_style(&read("drawing.css")?, &read("variables.css")?);
-    // A picture has no title, and takes long to draw.
-    let figures = FIGURES.iter().filter(|figure| !figure.title.is_empty());
-    let files = figures.filter_map(|figure| {
-        let Output::Drawing(drawing) = figure.default_output() else { return None };
-        let svg = drawing.html(figure.title);
+    let files = FIGURES.iter().filter_map(|figure| {
+        let Content::Drawing { title, draw, .. } = figure.content else { return None };
+        let svg = draw(&figure.default_values()).html(title);
         // Room at both sides for letters that are wider than ours.
         let svg = svg.replacen("\"0 0 480", "\"-24 0 528", 1);
         let svg = svg.replacen("<svg", "<svg xmlns=\"http://www.w3.org/2000/svg\"", 1);
@@ -22,8 +22,8 @@ pub fn svg_files(workspace: &Path) -> Result<Vec<(String, Vec<u8>)>> {
     Ok(files.collect())
 }
 
-/// The rules that begin with the class of all drawings, without it, and with values in place of
-/// variables, which few programs but browsers know.
+/// The rules that begin with the class of all drawings, without that class. Variables, which few
+/// programs other than browsers know, are replaced by their values.
 fn standalone_style(rules: &str, variables: &str) -> String {
     let rules = rules.lines().filter(|rule| rule.starts_with(".drawing "));
     let mut style: String = rules.map(|rule| rule.replace(".drawing ", "")).collect();
@@ -33,4 +33,18 @@ fn standalone_style(rules: &str, variables: &str) -> String {
         style = style.replace(&format!("var({name})"), light.unwrap_or(value));
     }
     style
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn style_has_the_rules_of_drawings_with_values_in_place_of_variables() {
+        let rules = ".drawing .ray { stroke: var(--ray); }\nbody { color: var(--text); }\n";
+        let variables = ":root {\n    --ray: light-dark(#123, #456);\n}\n";
+        assert_eq!(standalone_style(rules, variables), ".ray { stroke: #123; }");
+        let plain = standalone_style(".drawing text { fill: var(--a); }", "--a: red;");
+        assert_eq!(plain, "text { fill: red; }");
+    }
 }

@@ -1,9 +1,8 @@
 use crate::Sources;
 use crate::fault::{ChapterError, ChapterResult};
 use crate::files::{CHAPTERS, resolve_path};
-use crate::values::Notation;
 use course::{Place, Step};
-use figures::escape;
+use figures::{escape, find};
 use std::fs;
 use std::ops::Range;
 use std::path::Path;
@@ -18,7 +17,7 @@ static PLACES: LazyLock<Vec<Place>> = LazyLock::new(course::all_listed_places);
 /// A path is relative to the chapters; what is in `book/reader` and `book/typed` is of the
 /// reader's own folder. The first listing of a file on a page has an id for links to it, such
 /// as `listing-step01_rays-src-ray.rs`; `ids` holds those. In a fence `rust,own_scene` the
-/// file is the number `rust` of that picture, and moves with it.
+/// page replaces the file by the program of that scene.
 pub fn html(
     language: &str,
     live: &str,
@@ -44,8 +43,8 @@ pub fn html(
     let changed = old.and_then(|old| changed_lines_style(&code, &old)).unwrap_or_default();
     let mut attributes = places_attribute(path, &code);
     if !live.is_empty() {
-        let rust = sources.values.text(&format!("{live}:rust"), Notation::Code);
-        rust.map_err(|_| ChapterError::UnknownProgram(live.to_owned()))?;
+        let scene = find(live).and_then(|figure| figure.editable_scene.as_ref());
+        scene.ok_or_else(|| ChapterError::UnknownProgram(live.to_owned()))?;
         attributes += &format!(" data-code=\"{live}\"");
     }
     Ok(figure_markdown(path, &attributes, part, &changed, (language, &code), ids))

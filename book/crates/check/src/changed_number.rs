@@ -1,6 +1,6 @@
 use crate::comparison::{Budget, Comparison};
 use crate::drawing::Drawing;
-use course::{OwnScene, Owner, QUANTITIES, Typed};
+use course::{OwnScene, Owner, QUANTITIES, Quantity, Typed};
 
 /// All single numbers of the scene, typed otherwise, that give the reader's picture in every
 /// pixel, in words.
@@ -18,15 +18,20 @@ pub(crate) fn find_changed_numbers(
             continue;
         };
         for (k, owner) in owner_names(drawing, quantity.owner).into_iter().enumerate() {
-            let (old, count) = ((quantity.get)(&drawing.own, k), quantity.numbers.len());
-            for new in all_with_one_number_changed(old, count, typed) {
-                (quantity.set)(&mut changed.own, k, new);
-                if budget.all(&mut pixels, 1, |pixel| changed.bytes(&pixel.ray) == pixel.yours) {
-                    let [new, old] = [new, old].map(|one| format_numbers(&one[..count]));
-                    words.push(format!("{} of {owner} = {new} instead of {old}", quantity.name));
+            for scalar in quantity.scalars {
+                let old = scalar.get(&drawing.own, k);
+                for new in typed_numbers(typed).filter(|new| *new != old) {
+                    scalar.set(&mut changed.own, k, new);
+                    if budget.all(&mut pixels, 1, |pixel| changed.bytes(&pixel.ray) == pixel.yours)
+                    {
+                        let [new, old] = [&changed.own, &drawing.own]
+                            .map(|own| format_quantity(quantity, own, k));
+                        words
+                            .push(format!("{} of {owner} = {new} instead of {old}", quantity.name));
+                    }
                 }
+                scalar.set(&mut changed.own, k, old);
             }
-            (quantity.set)(&mut changed.own, k, old);
         }
     }
     words
@@ -41,27 +46,18 @@ pub(crate) fn owner_names(drawing: &Drawing, owner: Owner) -> Vec<String> {
     }
 }
 
-/// One number or three, one of them changed to another that somebody may have typed.
-fn all_with_one_number_changed(
-    old: [f64; 3],
-    count: usize,
+/// All numbers that somebody may have typed.
+fn typed_numbers(
     Typed { range: [start, end], steps_per_unit, .. }: Typed,
-) -> impl Iterator<Item = [f64; 3]> {
-    (0..count).flat_map(move |k| {
-        let values = start * steps_per_unit..=end * steps_per_unit;
-        let values = values.map(move |value| f64::from(value) / f64::from(steps_per_unit));
-        let typed = old[k];
-        values.filter(move |value| *value != typed).map(move |value| {
-            let mut new = if count == 1 { [value; 3] } else { old };
-            new[k] = value;
-            new
-        })
-    })
+) -> impl Iterator<Item = f64> {
+    let numerators = start * steps_per_unit..=end * steps_per_unit;
+    numerators.map(move |numerator| f64::from(numerator) / f64::from(steps_per_unit))
 }
 
-/// (1, −2.5, 0), or the number alone.
-pub(crate) fn format_numbers(numbers: &[f64]) -> String {
-    let all: Vec<_> = numbers.iter().map(f64::to_string).collect();
-    let all = all.join(", ").replace('-', "−");
-    if numbers.len() == 1 { all } else { format!("({all})") }
+/// The quantity of owner k, such as (1, −2.5, 0); without brackets if it's a single number.
+pub(crate) fn format_quantity(quantity: &Quantity, own: &OwnScene, k: usize) -> String {
+    let numbers = quantity.scalars.iter().map(|scalar| scalar.get(own, k).to_string());
+    let numbers: Vec<_> = numbers.collect();
+    let text = numbers.join(", ").replace('-', "−");
+    if numbers.len() == 1 { text } else { format!("({text})") }
 }

@@ -5,23 +5,23 @@ pub fn camera() -> Camera {
     camera_with_size(640, 360)
 }
 
-/// The rays of that camera through all its pixels, row by row.
+/// The rays of that camera through all of its pixels, row by row.
 pub fn primary_rays() -> impl Iterator<Item = Ray> {
+    let camera = camera();
     let pixels = (0..360).flat_map(|j| (0..640).map(move |i| (i, j)));
-    pixels.map(|(i, j)| camera().ray(i.into(), j.into()))
+    pixels.map(move |(i, j)| camera.ray(i.into(), j.into()))
 }
 
-/// The camera of the course with so many columns and rows. Its angle is turned into radians as by
-/// the programs: π/3 is another number in its last digit.
+/// The camera of the course with this many columns and rows. Its angle is converted to radians as
+/// the programs do it: π/3 has a different last digit.
 pub fn camera_with_size(columns: u32, rows: u32) -> Camera {
     Camera::new(columns, rows, 60_f64.to_radians())
 }
 
-/// The camera with this field of view, in degrees, and so many columns, 16:9.
-pub fn camera_with_fov(fov_degrees: f64, columns: f64) -> Camera {
-    let h_res = columns as u32;
+/// The camera with this field of view, in degrees, and this many columns, 16:9.
+pub fn camera_with_fov(fov_degrees: f64, columns: u32) -> Camera {
     let aspect_ratio = AspectRatio { width: 16.0, height: 9.0 };
-    Camera::new(h_res, aspect_ratio.v_res(h_res), fov_degrees.to_radians())
+    Camera::new(columns, aspect_ratio.v_res(columns), fov_degrees.to_radians())
 }
 
 /// The camera whose matrix is that of the slide "A Basic 3D Camera Matrix", to the letter.

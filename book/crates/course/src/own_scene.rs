@@ -6,7 +6,7 @@ use image::RgbImage;
 use std::iter::zip;
 use step05_phong::{Camera, Light, Material, Scene, colour, render};
 
-/// A scene of one's own with its camera: all that a picture is made from but its size.
+/// A scene of one's own with its camera: everything that a picture is made from, except its size.
 pub struct OwnScene {
     /// The camera's field of view, in degrees.
     pub fov_degrees: f64,
@@ -38,15 +38,15 @@ impl OwnScene {
         }
     }
 
-    /// The camera of a picture with so many columns.
-    pub fn camera(&self, columns: f64) -> Camera {
+    /// The camera of a picture with this many columns.
+    pub fn camera(&self, columns: u32) -> Camera {
         let camera = camera_with_fov(self.fov_degrees, columns);
         look_at(&camera, self.position, self.target, self.roll_degrees.to_radians())
     }
 
-    /// The picture with so many columns: by step 5, or by the example `mirror`, in which a
+    /// The picture with this many columns: by step 5, or by the example `mirror`, in which a
     /// ray may meet ten mirrors.
-    pub fn picture(&self, columns: f64) -> RgbImage {
+    pub fn picture(&self, columns: u32) -> RgbImage {
         let camera = self.camera(columns);
         if !self.has_mirrors {
             return render(&camera, 1, |ray| colour(&self.scene, ray));

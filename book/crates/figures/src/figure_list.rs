@@ -1,9 +1,11 @@
+//! The list of all figures.
+
 use crate::figures::*;
 use crate::pictures::*;
 use crate::{Figure, own_scene};
 use std::sync::LazyLock;
 
-/// Every figure and every picture, in the order of the book.
+/// Every figure: the drawings, then the pictures, each in the order of the book.
 pub static FIGURES: LazyLock<Vec<Figure>> = LazyLock::new(|| {
     vec![
         ray::figure(),
@@ -31,7 +33,7 @@ pub static FIGURES: LazyLock<Vec<Figure>> = LazyLock::new(|| {
     ]
 });
 
-/// The figure or picture of this name.
+/// The figure of this name.
 pub fn find(name: &str) -> Option<&'static Figure> {
     FIGURES.iter().find(|figure| figure.name == name)
 }

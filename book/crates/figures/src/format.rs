@@ -7,7 +7,7 @@ pub fn format_number(number: f64) -> String {
     if text == "-0" { "0".to_string() } else { text.replace('-', "−") }
 }
 
-/// At most so many digits after the point, up to four.
+/// At most this many digits after the point, up to four.
 pub fn format_rounded(number: f64, digits: i32) -> String {
     let power = 10_f64.powi(digits);
     format_number((number * power).round() / power)
@@ -27,7 +27,7 @@ pub fn format_vector(vector: impl Into<[f64; 3]>) -> String {
 /// A count, with a comma between thousands.
 pub fn format_count(count: usize) -> String {
     let digits = count.to_string();
-    let has_comma = |k: usize| 0 < k && (digits.len() - k).is_multiple_of(3);
+    let has_comma = |k: usize| k > 0 && (digits.len() - k).is_multiple_of(3);
     let digits = digits.char_indices();
     digits.map(|(k, digit)| format!("{}{digit}", if has_comma(k) { "," } else { "" })).collect()
 }

@@ -1,3 +1,5 @@
+//! Texts as HTML and SVG: symbols in the letters of the formulas, and escapes.
+
 /// A symbol in the letters of the formulas: `_` puts the next one below the line.
 pub fn symbol_spans(text: &str) -> String {
     let mut spans = String::from(r#"<tspan class="math">"#);

@@ -1,14 +1,14 @@
 //! Sheets: the numbers of the scene that belongs to a name, from which a student writes it in
 //! Rust, and problems on paper with these numbers.
 
-use crate::changed_number::{format_numbers, owner_names};
+use crate::changed_number::{format_quantity, owner_names};
 use crate::class::table::align;
 use crate::class::write_folder::{NewFile, write_new_folder};
 use crate::comparison::scattered_places;
 use crate::drawing::{Drawing, ObjectHit};
 use crate::escape_for_terminal;
 use crate::wrong_pixel::{format_number, format_vector};
-use course::{Owner, QUANTITIES, camera, fnv_1a, is_obeyed_by_terminals};
+use course::{Owner, QUANTITIES, Quantity, camera, fnv_1a, is_obeyed_by_terminals};
 use std::collections::HashMap;
 use std::fmt::Write;
 use std::iter;
@@ -162,12 +162,12 @@ impl Sheet {
 
 /// A table of all numbers of the objects, the lights or the scene, with a minus as Rust has it.
 fn number_table(drawing: &Drawing, owner: Owner) -> Vec<Vec<String>> {
-    let quantities = || QUANTITIES.iter().filter(|one| one.owner == owner && !one.needs_mirrors);
+    let is_seen = |one: &&Quantity| !one.scalars.iter().any(|scalar| scalar.needs_mirrors);
+    let quantities = || QUANTITIES.iter().filter(|one| one.owner == owner).filter(is_seen);
     let names = owner_names(drawing, owner).into_iter().enumerate();
     let rows = names.map(|(k, name)| {
-        let numbers = quantities().map(|one| {
-            format_numbers(&(one.get)(&drawing.own, k)[..one.numbers.len()]).replace('−', "-")
-        });
+        let numbers =
+            quantities().map(|one| format_quantity(one, &drawing.own, k).replace('−', "-"));
         iter::once(name).chain(numbers).collect()
     });
     let head = iter::once("").chain(quantities().map(|one| one.name)).map(str::to_owned);
