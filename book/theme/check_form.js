@@ -1,47 +1,52 @@
 "use strict";
 
-// The forms that say whether a picture is right: what `check` says of the file, which goes nowhere else.
+// The forms that say whether a picture is right: what `check` says of the file, which is sent nowhere.
 {
-    // The module works in a worker: the page can be read and moved meanwhile, and a new file or Reset ends
-    // what is no longer wanted.
-    const source = `${ask} ${startModule}
+    // The module works in a worker, so that the page can be read meanwhile. A new file, or Reset, ends it.
+    const source = `const book = { ask: ${book.ask}, startModule: ${book.startModule} };
         onmessage = async ({ data: [module, file, request] }) => {
-            const answer = ask(await startModule(module), request, new Uint8Array(file));
-            postMessage({ ...answer, pixels: answer.pixels?.slice() });
+            const reply = book.ask(await book.startModule(module), request, new Uint8Array(file));
+            postMessage({ ...reply, pixels: reply.pixels?.slice() });
         };
         onunhandledrejection = ({ reason }) => { throw reason; };`;
     const address = URL.createObjectURL(new Blob([source], { type: "text/javascript" }));
-    ownAddresses.add(address);
+    book.trustAddress(address);
 
     const LABELS = ["Yours", "Ours", "Where they differ: orange where yours is brighter, else blue"];
 
-    // What is shown of an answer: its lines, and the pictures side by side.
+    // The lines of a reply, and its pictures side by side.
+    /** @param {CheckReply} reply */
     function makeReport({ text, size, pixels }) {
         const [verdict, ...lines] = text.split("\n");
-        const report = make("span", { class: "report" }, make("b", {}, verdict), lines.join("\n"));
+        const report = book.make("span", { class: "report" }, book.make("b", {}, verdict), lines.join("\n"));
         if (!size) return [report];
         const width = size[0] / 3;
         const panels = LABELS.map((label, k) => {
-            const canvas = make("canvas", { "aria-hidden": "true" });
-            paint(canvas, { pixels, size }, k * width, width);
-            return make("span", {}, canvas, label);
+            const canvas = book.make("canvas", { "aria-hidden": "true" });
+            book.paint(canvas, { pixels, size }, k * width, width);
+            return book.make("span", {}, canvas, label);
         });
-        return [report, make("span", { class: "panels" }, ...panels)];
+        return [report, book.make("span", { class: "panels" }, ...panels)];
     }
 
+    /** @param {HTMLFormElement} form */
     function activate(form) {
-        const [input, reset, output] = ["input", "button", "output"].map(tag => form.querySelector(tag));
-        let worker;
+        const input = form.querySelector("input"), reset = form.querySelector("button"), output = form.querySelector("output");
+        /** @type {Worker | null} */
+        let worker = null;
+        /** @param {number | ""} exitCode @param {(Node | string)[]} children */
         const show = (exitCode, ...children) => {
             worker?.terminate();
             worker = null;
-            form.dataset.exitCode = exitCode;
+            form.dataset.exitCode = String(exitCode);
             output.replaceChildren(...children);
             reset.disabled = children.length === 0;
         };
+        /** @param {File | undefined} file */
         const checkFile = file => {
             if (!file) return show(2, "That isn't a file. Save the picture first, then drop the file.");
             show("", "Looking …");
+            /** @type {Worker} */
             let asked;
             try {
                 asked = worker = new Worker(address);
@@ -49,14 +54,19 @@
                 return show(2, `This page can't look at ${file.name}. In our folder, ask: cargo run --bin check`);
             }
             // What comes after Reset, or after a newer file, is dropped.
-            const answer = (...parts) => asked === worker && show(...parts);
-            asked.onmessage = ({ data }) => answer(data.code, ...makeReport(data));
-            asked.onerror = () => answer(2, `This page can't look at ${file.name}. In our folder, ask: cargo run --bin check`);
-            const scene = form.elements.scene?.value.trim().normalize();
-            const request = `check ${scene ? `@${scene}` : form.dataset.name}\n${file.name}`;
+            /** @param {number | ""} exitCode @param {(Node | string)[]} children */
+            const showIfAsked = (exitCode, ...children) => {
+                if (asked === worker) show(exitCode, ...children);
+            };
+            asked.onmessage = ({ data }) => showIfAsked(data.code, ...makeReport(data));
+            const fail = () => showIfAsked(2, `This page can't look at ${file.name}. In our folder, ask: cargo run --bin check`);
+            asked.onerror = fail;
+            const { scene: field } = /** @type {any} */ (form.elements);
+            const scene = field?.value.trim().normalize();
+            const request = `check ${scene ? `@${scene}` : form.dataset.check}\n${file.name}`;
             // A larger file is too large, whatever follows.
-            Promise.all([wasmModules.compile("check"), file.slice(0, 2 ** 26 + 1).arrayBuffer()])
-                .then(parts => asked.postMessage([...parts, request]), asked.onerror);
+            Promise.all([book.modules.compile("check"), file.slice(0, 2 ** 26 + 1).arrayBuffer()])
+                .then(parts => asked.postMessage([...parts, request]), fail);
         };
         form.addEventListener("change", () => { if (input.files.length) checkFile(input.files[0]); });
         // The same file, written again, is looked at again.
@@ -69,7 +79,8 @@
         form.hidden = false;
     }
 
-    const forms = document.querySelectorAll("form[data-live=check]");
+    /** @type {NodeListOf<HTMLFormElement>} */
+    const forms = document.querySelectorAll("form[data-check]");
     forms.forEach(activate);
     // A file that is dropped beside a form doesn't take the reader away from the page.
     for (const kind of forms.length ? ["dragover", "drop"] : []) addEventListener(kind, event => event.preventDefault());

@@ -1,4 +1,4 @@
-// The built book: its pages, and what answers in them.
+// The built book: its pages, and what is interactive on them.
 import { readFileSync, readdirSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 
@@ -16,7 +16,7 @@ export const chapters = pages.filter(name => !/^(index|print)\./.test(name));
 // [page, what the attribute is, which of its kind on the page it is].
 const named = pattern => chapters.flatMap(page => [...read(page).matchAll(pattern)].map(([, name], k) => [page, name, k]));
 export const figures = named(/<figure[^>]* data-live="([^"]+)"/g);
-export const forms = named(/<form[^>]* data-live="check"[^>]* data-name="([^"]+)"/g);
+export const forms = named(/<form[^>]* data-check="([^"]+)"/g);
 
 // The file of a picture of the book.
 export const picture = name => readFileSync(join(folder, `generated/${name}.png`));

@@ -3,7 +3,7 @@ import { figures } from './book.js';
 import { expect, open, readPixels, test } from './fixtures.js';
 
 for (const [name, figure, k] of figures) {
-  test(`${name}: the figure ${figure}, number ${k + 1} there, answers`, { tag: k ? '@thorough' : [] }, async ({ page, home }) => {
+  test(`${name}: the figure ${figure}, number ${k + 1} there, is interactive`, { tag: k ? '@thorough' : [] }, async ({ page, home }) => {
     await open(page, home + name);
     page.on('dialog', dialog => dialog.accept()); // A scene of one's own is not wiped unasked.
     const root = page.locator('figure[data-live]').nth(k);

@@ -11,7 +11,7 @@ pub fn index_script(site: &Site) -> Result<String> {
         (&page.name, title.unwrap_or_default(), sections)
     });
     let index = serde_json::to_string(&pages.collect::<Vec<_>>())?;
-    Ok(format!("window.searchIndex = {index};\n"))
+    Ok(format!("book.searchIndex = {index};\n"))
 }
 
 /// The id, the title, the prose and the listings of each section of a page.

@@ -50,7 +50,7 @@ fn text_is_too_long_from_251_bytes_on() {
 #[test]
 fn more_lines_than_there_are_places_are_not_drawn() {
     let lines = ["normal p"; 1000].join("\u{1f}");
-    assert_eq!(page::answer(&format!("edit 640 {lines}"), &[]).text, "");
+    assert_eq!(page::reply(&format!("edit 640 {lines}"), &[]).text, "");
 }
 
 #[test]
@@ -64,7 +64,7 @@ fn answer_is_about_the_lines_and_no_others() {
         ("normal p\u{1f}attenuation (1.0", "\"line\":\"attenuation\",\"from\":0,\"to\":1"),
         ("normal p\u{7}", "\"line\":\"normal\",\"from\":1,\"to\":2"),
     ] {
-        let text = page::answer(&format!("edit 640 {lines}"), &[]).text;
+        let text = page::reply(&format!("edit 640 {lines}"), &[]).text;
         assert!(text.contains(words), "{lines}: {text}");
     }
 }
