@@ -1,3 +1,5 @@
+//! The build of the whole book.
+
 use crate::fault::Faults;
 use crate::inline_stylesheets::inline_stylesheets;
 use crate::preprocessor::Course;
@@ -10,10 +12,11 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// Builds the book of a workspace into `folder`, one at a time; returns what is in it.
+/// Builds the book of a workspace into `folder`, and returns what is in it. Only one build runs at a
+/// time.
 ///
-/// Writes it beside the folder and puts it in place when it is complete, so that a fault
-/// leaves the book that was there.
+/// It is written beside the folder and put in place when it is complete, so that a fault leaves the
+/// book that was there.
 pub fn build(workspace: &Path, folder: &Path) -> Result<Site> {
     let around = folder.parent().context("the book has a folder of its own")?;
     fs::create_dir_all(around).with_context(|| format!("{} can't be made", around.display()))?;
@@ -21,7 +24,7 @@ pub fn build(workspace: &Path, folder: &Path) -> Result<Site> {
     lock.lock()?;
     restore_folder(folder)?;
     let draft = around.join("book.draft");
-    // What a build with a fault left, or a killed one.
+    // A build that failed or was killed may have left it.
     let _ = fs::remove_dir_all(&draft);
     let site = write_and_check_pages(workspace, &draft)?;
     replace_folder(&draft, folder)
@@ -29,8 +32,8 @@ pub fn build(workspace: &Path, folder: &Path) -> Result<Site> {
     Ok(site)
 }
 
-/// Opens the file that one build at a time locks. Nothing is written to it, and a link in its
-/// place is not followed.
+/// Opens the file that one build at a time locks. Nothing is written to it, and a link of its name
+/// isn't followed.
 fn open_lock(path: &Path) -> Result<File> {
     let is_other = fs::symlink_metadata(path).is_ok_and(|metadata| !metadata.is_file());
     ensure!(!is_other, "{} is not a file; remove it", path.display());
@@ -38,15 +41,15 @@ fn open_lock(path: &Path) -> Result<File> {
     lock.with_context(|| format!("{} can't be opened", path.display()))
 }
 
-/// The first places beside a folder where its old contents may be put aside. A place may be taken
-/// by what can't be removed.
-fn places_aside(folder: &Path) -> impl Iterator<Item = PathBuf> {
+/// The paths beside a folder to which its old contents may be moved. One may be taken by something
+/// that can't be removed.
+fn paths_aside(folder: &Path) -> impl Iterator<Item = PathBuf> {
     (1..=9).map(|number| folder.with_extension(format!("old{number}")))
 }
 
-/// Puts back a folder that a killed build has put aside, and removes what others have.
+/// Puts back a folder that a killed build has moved aside, and removes what older builds left.
 fn restore_folder(folder: &Path) -> Result<()> {
-    for aside in places_aside(folder).filter(|aside| aside.exists()) {
+    for aside in paths_aside(folder).filter(|aside| aside.exists()) {
         if folder.exists() {
             let _ = fs::remove_dir_all(aside);
         } else {
@@ -57,25 +60,25 @@ fn restore_folder(folder: &Path) -> Result<()> {
     Ok(())
 }
 
-/// Puts a draft in the place of a folder, which is put aside before and removed at last.
+/// Puts a draft in the place of a folder, which is moved aside first and removed last.
 fn replace_folder(draft: &Path, folder: &Path) -> io::Result<()> {
     if !folder.exists() {
         return fs::rename(draft, folder);
     }
-    let free = places_aside(folder).find(|aside| !aside.exists());
+    let free = paths_aside(folder).find(|aside| !aside.exists());
     let aside = free.ok_or_else(|| io::Error::other("too many old ones are beside it"))?;
     fs::rename(folder, &aside)?;
     if let Err(error) = fs::rename(draft, folder) {
         let _ = fs::rename(&aside, folder);
         return Err(error);
     }
-    // What can't be removed now is tried again by the next build.
+    // The next build tries again to remove what can't be removed now.
     let _ = fs::remove_dir_all(aside);
     Ok(())
 }
 
-/// Writes all pages into `folder`. A fault in a chapter stops it before any page is written; a
-/// link that leads nowhere is found when all are.
+/// Writes all pages into `folder`. A fault in a chapter is reported before any page is written, and a
+/// link that leads nowhere after all of them are.
 fn write_and_check_pages(workspace: &Path, folder: &Path) -> Result<Site> {
     let sources = Arc::new(Sources::read(workspace)?);
     let mut book = MDBook::load(workspace.join("book")).context("no book")?;

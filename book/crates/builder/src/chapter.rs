@@ -1,3 +1,5 @@
+//! A chapter, expanded from top to bottom.
+
 use crate::directive::{Directive, replace_directives};
 use crate::fault::{ChapterError, ChapterResult, Fault};
 use crate::markdown;
@@ -13,7 +15,7 @@ use mdbook_markdown::pulldown_cmark::{
 };
 use std::ops::Range;
 
-/// Lists, quotations and emphases in one another: mdBook overflows where there are thousands.
+/// How deep lists, quotations and emphases may nest. mdBook overflows its stack at some thousands.
 const MAX_NESTING: usize = 20;
 
 /// A chapter in Markdown as mdBook renders it, and what was found in it on the way.
@@ -166,7 +168,7 @@ impl<'a> Chapter<'a> {
         }
     }
 
-    /// What stands in place of a part of the chapter; None for text that stays as it is.
+    /// What a part of the chapter becomes; None for text that stays as it is.
     fn expand_event(
         &mut self,
         event: &Event,
@@ -205,7 +207,7 @@ impl<'a> Chapter<'a> {
                 return None;
             }
             Event::DisplayMath(latex) => formula::formula_html(latex, true, values),
-            Event::Code(code) if is_name_with_break(code) => {
+            Event::Code(code) if is_breakable_name(code) => {
                 Ok(markdown::code_with_break_hints(code))
             }
             Event::Code(_) => numbers::fill_in_code(source, values),
@@ -361,8 +363,8 @@ impl<'a> Chapter<'a> {
         }
     }
 
-    /// A paragraph of nothing but pictures; it says behind them, by `{{#live own_scene}}`, what
-    /// answers there.
+    /// A paragraph of nothing but pictures. After them, `{{#live own_scene}}` says which interactive
+    /// picture they become.
     fn expand_pictures_alone(
         &mut self,
         events: &Events,
@@ -417,8 +419,8 @@ fn find_live(name: &str) -> ChapterResult<&'static Figure> {
     figures::find(name).ok_or_else(|| ChapterError::UnknownLive(name.to_owned()))
 }
 
-/// Whether code is a name such as `Ray::at`, which may be broken.
-fn is_name_with_break(code: &str) -> bool {
+/// Whether code is a name such as `Ray::at`, in which a line may break.
+fn is_breakable_name(code: &str) -> bool {
     let in_name = |c: char| c.is_ascii_alphanumeric() || "_:".contains(c);
     code.chars().all(in_name) && code.contains(['_', ':'])
 }

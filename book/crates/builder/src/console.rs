@@ -1,7 +1,9 @@
+//! Commands for a terminal.
+
 use crate::fault::{ChapterError, ChapterResult};
 use figures::escape;
 
-/// Commands, under a caption that says in which folder they are meant, the reader's or ours.
+/// Commands under a caption that says in which folder to run them, the reader's or ours.
 pub fn figure_markdown(folder: &str, commands: &str) -> ChapterResult<String> {
     let caption = match folder {
         "yours" | "yours,refused" | "yours,fails" => "in your folder",
@@ -9,7 +11,7 @@ pub fn figure_markdown(folder: &str, commands: &str) -> ChapterResult<String> {
         _ => return Err(ChapterError::ConsoleForm),
     };
     let folder = folder.replace(',', " ");
-    // A prompt is not a part of a command that is copied.
+    // A reader who copies a command doesn't copy its prompt.
     let commands = format!("\n{}", escape(commands)).replace("\n$ ", "\n<span>$ </span>");
     Ok(format!(
         "<figure class=\"console\" data-folder=\"{folder}\">\

@@ -39,9 +39,9 @@ pub enum ChapterError {
     UnknownValue(String),
     #[error("there is no figure {0}")]
     UnknownFigure(String),
-    #[error("nothing called {0:?} answers")]
+    #[error("nothing called {0:?} is interactive")]
     UnknownLive(String),
-    #[error("nothing called {0:?} has Rust that moves")]
+    #[error("nothing called {0:?} writes a program")]
     UnknownProgram(String),
     #[error("there is no step {0}")]
     UnknownStep(String),

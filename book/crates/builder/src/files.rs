@@ -1,3 +1,5 @@
+//! The files of a folder in memory.
+
 use anyhow::{Context, Result};
 use course::replace_file;
 use std::collections::BTreeMap;
@@ -7,7 +9,7 @@ use std::path::Path;
 /// The folder of the chapters, as seen from the root of the workspace.
 pub const CHAPTERS: &str = "book/src/";
 
-/// The path to which `path` leads from the file or folder/ `base`.
+/// The path to which `path` leads from `base`, which is a file, or a folder with a slash at its end.
 pub fn resolve_path(base: &str, path: &str) -> String {
     let mut parts: Vec<&str> = base.split('/').collect();
     parts.pop();
@@ -44,8 +46,8 @@ impl Files {
         Ok(Self(files))
     }
 
-    /// Writes the files into a folder that holds nothing else then. A file that is there as it
-    /// should be is not touched, since `mdbook serve` would see a change.
+    /// Writes the files into a folder, and removes everything else from it. A file that is already as
+    /// it should be is left alone, since `mdbook serve` would see a change.
     pub fn write(&self, folder: &Path) -> Result<()> {
         fs::create_dir_all(folder)
             .with_context(|| format!("{} can't be made", folder.display()))?;

@@ -1,9 +1,10 @@
+//! Boxes that a reader opens.
+
 use crate::fault::ChapterResult;
 use crate::markdown::inline_html;
 use crate::values::Values;
 
-/// The boxes a chapter can have, and what stands before the author's own words in
-/// their heading.
+/// The kinds of boxes, and the word before the author's own words in the heading of each.
 const KINDS: [(&str, &str); 4] =
     [("predict", "Predict"), ("hints", "Hints"), ("aside", "Aside"), ("answer", "Answer")];
 

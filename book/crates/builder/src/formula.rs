@@ -1,15 +1,17 @@
+//! Formulas in LaTeX as MathML.
+
 use crate::fault::{ChapterError, ChapterResult};
 use crate::numbers;
 use crate::values::Values;
 use math_core::{LatexToMathML, MathDisplay};
 use std::thread;
 
-/// Commands and braces that a formula may have: the parser takes up to 60 kB of the stack for
-/// each that is inside another.
+/// How many commands and braces a formula may have. Where they nest, the parser takes up to 60 kB of
+/// the stack for each.
 const MAX_MARKS: usize = 100;
 const STACK_BYTES: usize = 16 << 20;
 
-/// The MathML of a formula in LaTeX, safe to stand in a line of Markdown.
+/// The MathML of a formula in LaTeX, for use in a line of Markdown.
 pub fn formula_html(latex: &str, is_display: bool, values: &Values) -> ChapterResult<String> {
     let style = if is_display { MathDisplay::Block } else { MathDisplay::Inline };
     let mathml = numbers::fill_in_formula(latex, values, |latex| convert(latex, style))?;
@@ -21,7 +23,7 @@ pub fn formula_html(latex: &str, is_display: bool, values: &Values) -> ChapterRe
     })
 }
 
-/// The MathML of a formula without numbers that are still to be filled in.
+/// The MathML of a formula into which no number is still to be filled.
 fn convert(latex: &str, style: MathDisplay) -> ChapterResult<String> {
     let latex = latex.trim();
     if latex.matches(['\\', '{']).count() > MAX_MARKS {
@@ -40,8 +42,7 @@ fn convert(latex: &str, style: MathDisplay) -> ChapterResult<String> {
     }
 }
 
-/// Writes as entities what Markdown would read as markup between the tags of
-/// `mathml`.
+/// Escapes what Markdown would read as markup between the tags of `mathml`.
 fn escape_markdown(mathml: &str) -> String {
     let mut escaped = String::with_capacity(mathml.len());
     let mut in_tag = false;

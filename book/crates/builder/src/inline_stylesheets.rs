@@ -1,3 +1,5 @@
+//! Pages with their styles inside.
+
 use crate::Files;
 use crate::files::resolve_path;
 use crate::replace_between::{MissingEnd, replace_between};
@@ -12,8 +14,9 @@ pub enum StylesheetError {
     UnknownFile(String),
 }
 
-/// The `html` of a page with the styles themselves in place of links to them, so that it is shown
-/// at once. They are among the `files` of the book; an address in one counts from its file.
+/// Replaces the links to stylesheets in the `html` of a page by the styles themselves, so that the page
+/// is shown at once. The stylesheets are among the `files` of the book. An address in one is relative
+/// to its file.
 pub fn inline_stylesheets(html: &str, files: &Files) -> Result<String, StylesheetError> {
     replace_between(html, "<link rel=\"stylesheet\" href=\"", "\">", |path| {
         let css = files.text(path).ok_or_else(|| StylesheetError::UnknownFile(path.to_owned()))?;

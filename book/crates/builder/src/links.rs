@@ -1,4 +1,4 @@
-//! Every link, anchor and picture leads to something in the book, and nothing is
+//! The check that every link, anchor and picture leads to something in the book, and that nothing is
 //! fetched from elsewhere.
 
 use crate::files::resolve_path;
@@ -103,13 +103,14 @@ fn check_address(
     }
     let is_there = id.is_empty()
         || ids.contains(&(&path, Some(id)))
-        || site.pages.get(&path).is_some_and(|page| is_answered(page, id));
+        || site.pages.get(&path).is_some_and(|page| is_for_script(page, id));
     if is_there { Ok(()) } else { Err(AddressError::UnknownId { id: id.to_owned(), path }) }
 }
 
-/// Whether an address ends in what a script of the page answers: `pixel=470,120`, of a picture
-/// whose pixels can be asked; `line=gate:true`, of a line that can be edited; or a `scene=…`.
-fn is_answered(page: &Page, id: &str) -> bool {
+/// Whether a script of the page knows what to do with the end of an address: `pixel=470,120`, if a
+/// pixel can be chosen there; `line=gate:true`, if that line can be edited; or the address of a
+/// `scene=…`.
+fn is_for_script(page: &Page, id: &str) -> bool {
     match id.split_once('=') {
         Some(("pixel", _)) => page.attribute_values("data-panel").next().is_some(),
         Some(("line", words)) => {

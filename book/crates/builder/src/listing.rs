@@ -1,3 +1,5 @@
+//! Listings: a file of a step, or a part of it.
+
 use crate::Sources;
 use crate::fault::{ChapterError, ChapterResult};
 use crate::files::{CHAPTERS, resolve_path};

@@ -1,3 +1,5 @@
+//! Markdown as mdBook reads it, and a paragraph of it as HTML.
+
 use crate::fault::{ChapterError, ChapterResult};
 use crate::values::Values;
 use crate::{formula, numbers};
@@ -16,8 +18,7 @@ pub fn markdown_options() -> Options {
         | Options::ENABLE_MATH
 }
 
-/// The HTML of one paragraph of Markdown, formulas included, without the tags of
-/// the paragraph.
+/// The HTML of one paragraph of Markdown with its formulas, without the tags of the paragraph.
 pub fn inline_html(markdown: &str, values: &Values) -> ChapterResult<String> {
     let mut events = vec![];
     for event in Parser::new_ext(markdown, markdown_options()) {
@@ -37,7 +38,7 @@ pub fn inline_html(markdown: &str, values: &Values) -> ChapterResult<String> {
     numbers::fill_in_text(&text.replace('\n', " "), values)
 }
 
-/// A name in code, which a narrow column may break after :: and _ and nowhere else.
+/// A name in code. In a narrow column, its line may break after :: and _, and nowhere else.
 pub fn code_with_break_hints(code: &str) -> String {
     let code = code.replace("::", "::<wbr>").replace('_', "&#95;<wbr>");
     format!("<code>{code}</code>")

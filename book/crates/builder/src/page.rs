@@ -1,3 +1,5 @@
+//! The finished pages: their elements and their text.
+
 use crate::Files;
 use anyhow::Result;
 use html5ever::tendril::StrTendril;
@@ -50,9 +52,9 @@ impl Site {
 pub struct Page {
     /// File name, such as `step01_rays.html`.
     pub name: String,
-    /// Each before those inside it.
+    /// The elements, each before those inside it.
     pub elements: Vec<Element>,
-    /// With that of scripts and styles.
+    /// The text, including that of scripts and styles.
     text: String,
 }
 
@@ -84,7 +86,7 @@ impl Page {
         let mut text = String::new();
         let mut open: Vec<usize> = vec![];
         for token in tokens(html) {
-            // What is before it and what is behind are no one word.
+            // The texts before and after it are not one word.
             if matches!(&token, Token::TagToken(tag) if matches!(&*tag.name, "br" | "td" | "th")) {
                 text.push(' ');
             }
@@ -104,11 +106,11 @@ impl Page {
                 }
                 Token::TagToken(tag) => {
                     let is_start = |&index: &usize| elements[index].tag == *tag.name;
-                    if let Some(place) = open.iter().rposition(is_start) {
+                    if let Some(level) = open.iter().rposition(is_start) {
                         let end = elements.len();
-                        let element = &mut elements[open[place]];
+                        let element = &mut elements[open[level]];
                         (element.descendants.end, element.text.end) = (end, text.len());
-                        open.truncate(place);
+                        open.truncate(level);
                     }
                 }
                 Token::CharacterTokens(characters) => text += &characters,
@@ -118,22 +120,22 @@ impl Page {
         Self { name: name.to_owned(), elements, text }
     }
 
-    /// The values of an attribute, wherever it stands.
+    /// The values of an attribute in the whole page.
     pub fn attribute_values(&self, attribute: &str) -> impl Iterator<Item = &str> {
         self.elements.iter().filter_map(move |element| element.attr(attribute))
     }
 
-    /// All elements inside another, from top to bottom.
+    /// All elements inside an element, from top to bottom.
     pub fn descendants(&self, element: &Element) -> &[Element] {
         &self.elements[element.descendants.clone()]
     }
 
-    /// The text of an element, with that of the elements in it.
+    /// The text of an element, including the elements in it.
     pub fn text(&self, element: &Element) -> &str {
         &self.text[element.text.clone()]
     }
 
-    /// The text of an element without that of some in it.
+    /// The text of an element, except for that of some elements in it.
     pub fn text_without(
         &self,
         element: &Element,
@@ -149,8 +151,7 @@ impl Page {
         text + &self.text[start..element.text.end]
     }
 
-    /// Address of an element, for the sentence about a fault: its page, and the last id
-    /// before it.
+    /// The address of an element for a fault: its page, and the last id before it.
     pub fn address_for_fault(&self, element: &Element) -> String {
         let mut elements = self.elements[..element.descendants.start].iter().rev();
         let id = elements.find_map(|element| element.attr("id"));

@@ -10,7 +10,7 @@ use step03_nearest::OBJECTS;
 /// The HTML for `{{#pixel-panel step04_diffuse}}`, which begins the box of this picture. Its text
 /// follows, with a `{{#number …}}` for each number that depends on the pixel, and `{{#end}}`.
 ///
-/// Hidden where no script can answer; see book/theme/figure.js.
+/// It is hidden if no script can make the picture interactive; see book/theme/figure.js.
 pub fn opening_html(picture: &str) -> String {
     format!(
         "<details data-panel=\"{picture}\" class=\"aside\" hidden>\

@@ -1,3 +1,5 @@
+//! The preprocessor that expands the chapters for mdBook.
+
 use crate::fault::{Fault, Faults};
 use crate::files::CHAPTERS;
 use crate::sources::{GENERATED, Sources};

@@ -1,3 +1,5 @@
+//! Pieces of a text, replaced.
+
 use thiserror::Error;
 
 /// The beginning of a piece that has no end.

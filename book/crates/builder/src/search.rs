@@ -1,3 +1,5 @@
+//! The index of the search.
+
 use crate::page::Element;
 use crate::{Page, Site};
 use anyhow::Result;
@@ -20,7 +22,7 @@ fn sections(page: &Page) -> Vec<[String; 4]> {
     let main = page.elements.iter().find(|element| element.tag == "main");
     let mut end = 0;
     for part in main.into_iter().flat_map(|main| page.descendants(main)) {
-        // The text of what is inside a part was taken with it; the cover is a frame around parts.
+        // The text inside a part was taken with the part. The cover is a frame around parts.
         if part.text.start < end || part.attr("class") == Some("cover") {
             continue;
         }
@@ -38,8 +40,8 @@ fn sections(page: &Page) -> Vec<[String; 4]> {
     sections.iter().map(|texts| texts.each_ref().map(join_words)).collect()
 }
 
-/// Whether an element isn't seen, is drawn, or is an answer or a hint, which a search would give
-/// away.
+/// Whether the search leaves an element out: it isn't seen, it is drawn, or it is an answer or a hint
+/// that a search would give away.
 fn is_hidden(element: &Element) -> bool {
     let is_answer = matches!(element.attr("class"), Some("answer" | "hints"));
     is_answer || element.attr("hidden").is_some() || element.tag == "svg"

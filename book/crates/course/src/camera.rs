@@ -1,3 +1,5 @@
+//! The cameras of the course's pictures.
+
 use step01_rays::{AspectRatio, Camera, Ray};
 
 /// The camera of the course's pictures: 640 columns, 16:9, 60 degrees.

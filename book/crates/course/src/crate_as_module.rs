@@ -1,6 +1,8 @@
-/// The text of a crate's file as a file of the module at `path`, such as `steps::step03_nearest`,
-/// of another crate, whose root is `lib.rs` or `main.rs`. The crates that are named in `siblings`
-/// are modules beside it; all others stay crates.
+//! The source of a crate as the source of a module.
+
+/// Rewrites the text of a crate's file for use in the module at `path`, such as
+/// `steps::step03_nearest`, of a different crate. The crates named in `siblings` become modules
+/// beside it; all the rest remain crates.
 pub fn crate_as_module<'a>(
     text: &str,
     path: &str,

@@ -1,6 +1,9 @@
+//! How two pictures differ.
+
 use image::{Rgb, RgbImage};
 
-/// How a new picture differs from the locked one, in a sentence; None where all pixels are equal.
+/// Says in a sentence how a new picture differs from the locked one. Returns None if all pixels are
+/// equal.
 pub fn describe_difference(locked: &RgbImage, new: &RgbImage) -> Option<String> {
     let ((w, h), (new_w, new_h)) = (locked.dimensions(), new.dimensions());
     if (w, h) != (new_w, new_h) {

@@ -1,3 +1,5 @@
+//! A picture as a PNG file.
+
 use image::RgbImage;
 use image::codecs::png::{CompressionType, FilterType, PngEncoder};
 

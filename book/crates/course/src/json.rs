@@ -1,9 +1,9 @@
-//! JSON, as much as an answer needs: a library for all of it would make the module of
-//! the pages a sixth larger.
+//! JSON, as much of it as a reply needs. A library for all of it would make the module of the pages
+//! a sixth larger.
 
 use crate::is_obeyed_by_terminals;
 
-/// A JSON string, with escapes for what a terminal would obey.
+/// A JSON string. Characters that a terminal would obey are escaped.
 pub fn quote(text: &str) -> String {
     let mut quoted = String::from("\"");
     for c in text.chars() {

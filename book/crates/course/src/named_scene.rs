@@ -8,11 +8,11 @@ use step05_phong::{Light, Material, Matte, OBJECTS, Scene, scene};
 const NAMES: [&str; OBJECTS.len()] =
     ["ball 1", "ground", "ball 2", "ball 3", "ball 4", "ball 5", "ball 6", "ball 7", "ball 8"];
 
-/// The course's scene or its mirror image, with other sizes, colours, highlights and
-/// light, chosen by a hash of the name.
+/// The course's scene or its mirror image, with different sizes, colours, highlights and light, which
+/// a hash of the name chooses.
 ///
 /// Each sphere lies inside the one of the course and on the same ground, so none meet.
-/// Blanks around the name, and how many there are between its words, make no difference. Each
+/// Blanks around the name make no difference, nor does the number of blanks between its words. Each
 /// letter is expected as one character (NFC).
 pub fn named_scene(name: &str) -> Scene<Material, Light> {
     let name = name.split_whitespace().collect::<Vec<_>>().join(" ");
@@ -45,7 +45,7 @@ pub fn named_scene(name: &str) -> Scene<Material, Light> {
     for light in &mut scene.lights {
         light.point_light.position *= side;
     }
-    // The first light stands in front of the balls, and the second, as in the course, behind them.
+    // The first light is in front of the balls. The second is behind them, as in the course.
     let positions = [[4.0, 5.0, -2.0], [3.0, 6.0, -3.0], [5.0, 4.0, -1.0], [2.0, 5.0, -4.0]];
     scene.lights[0].point_light.position = side * DVec3::from_array(positions[choose(4)]);
     let tints = [[1.0, 0.84, 0.64], [0.8, 0.9, 1.0], [1.0, 0.7, 0.8], [0.8, 1.0, 0.75]];

@@ -1,3 +1,5 @@
+//! A scene of the reader's own, and its picture.
+
 use crate::camera_with_fov;
 use crate::examples::look_at::look_at;
 use crate::examples::mirror::{self, Mirror};

@@ -1,3 +1,5 @@
+//! Two pictures and their difference, side by side.
+
 use crate::largest_channel_difference;
 use image::{Rgb, RgbImage};
 
@@ -7,9 +9,9 @@ const BLACK: Rgb<u8> = Rgb([0; 3]);
 
 /// Two pictures and where they differ, side by side.
 ///
-/// In the third panel pixels that are equal are a dark grey; the others are orange where
-/// the first picture is brighter, else blue, the brighter the farther apart. A smaller picture is
-/// black where it has no pixel.
+/// In the third panel, pixels that are equal are dark grey. A pixel that differs is orange if the
+/// first picture is brighter there, and blue if not; the larger the difference, the brighter. A
+/// smaller picture is black where it has no pixel.
 pub fn draw_panels(first: &RgbImage, second: &RgbImage) -> RgbImage {
     let width = first.width().max(second.width());
     let height = first.height().max(second.height());
@@ -23,7 +25,7 @@ pub fn draw_panels(first: &RgbImage, second: &RgbImage) -> RgbImage {
     })
 }
 
-/// The colour that tells how two others differ.
+/// The colour that shows how two colours differ.
 fn difference_colour(a: &Rgb<u8>, b: &Rgb<u8>) -> Rgb<u8> {
     let sum = |colour: &Rgb<u8>| colour.0.iter().map(|c| u32::from(*c)).sum::<u32>();
     let strength = 120 + u32::from(largest_channel_difference(a, b)) * 135 / 255;

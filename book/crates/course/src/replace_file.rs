@@ -1,12 +1,14 @@
+//! Files that are replaced as a whole.
+
 use std::path::Path;
 use std::sync::atomic::{AtomicU32, Ordering};
 use std::{fs, io, process};
 
-/// How many files this program has written; each gets a name of its own.
+/// How many files this program has written. Each draft gets a name of its own.
 static COUNT: AtomicU32 = AtomicU32::new(0);
 
-/// Writes a file beside its place and renames it, so that an error leaves what was there, and
-/// nobody ever sees half of it. A link is replaced, not followed.
+/// Writes a draft beside the file and renames it, so that an error leaves what was there, and nobody
+/// ever sees half of the file. A link is replaced, not followed.
 pub fn replace_file(path: &Path, bytes: &[u8]) -> io::Result<()> {
     let number = COUNT.fetch_add(1, Ordering::Relaxed);
     // Short, as the name of the file may be as long as the system allows.

@@ -1,5 +1,5 @@
 //! A scene as a Rust program, which the reader saves as an example of step 5: the one that
-//! Cargo compiles there, with other bodies of its functions.
+//! Cargo compiles there, with different bodies of its functions.
 
 use crate::OwnScene;
 use glam::DVec3;
@@ -28,7 +28,7 @@ pub fn format_scene_program(own: &OwnScene) -> String {
 ///
 /// # Panics
 ///
-/// Panics where the program has no such function.
+/// Panics if the program has no such function.
 fn body_range(program: &str, function: &str) -> Range<usize> {
     let start = program.find(&format!("pub fn {function}(")).expect("the function");
     let start = start + program[start..].find("{\n").expect("a body") + 2;
@@ -53,7 +53,7 @@ fn scene_body(own: &OwnScene) -> String {
     )
 }
 
-/// The camera of the program, with another field of view, or moved by the lines of `look_at`.
+/// The camera of the program: with a different field of view, or moved by the lines of `look_at`.
 fn camera_body(own: &OwnScene) -> String {
     let mut body = String::new();
     if own.fov_degrees != 60.0 {

@@ -1,3 +1,5 @@
+//! The five steps.
+
 /// One of the five steps; they are in order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Step {

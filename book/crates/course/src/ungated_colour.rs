@@ -1,9 +1,13 @@
+//! Step 5 without its gate.
+
 use glam::DVec3;
 use step01_rays::{Ray, direction_colour};
 use step05_phong::{Light, Material, Scene, light_terms, phong, visible_point};
 
-/// The colour of a scene of step 5 without the test of n·l: with each highlight twice, before and
-/// behind the surface, as r is the same for n and −n and one of the two passes the gate.
+/// The colour of a scene of step 5 without the test of n·l.
+///
+/// Each highlight is computed twice, for n and for −n. The vector r is the same for both, and one of
+/// the two passes the test.
 pub fn ungated_colour(scene: &Scene<Material, Light>, ray: &Ray) -> DVec3 {
     let Some(point) = visible_point(&scene.objects, ray) else {
         return direction_colour(ray);

@@ -1,9 +1,11 @@
+//! The folders of the workspace, and a command of Cargo in it.
+
 use std::env;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// The modules of the pages: what answers, what looks at a reader's picture, and what draws a
-/// line of the reader's.
+/// The modules of the pages. One draws the interactive figures, one looks at a reader's picture, and
+/// one draws with lines that a reader edits.
 pub const MODULES: [&str; 3] = ["live", "check", "expressions"];
 
 /// The folder of the course, even if it was moved since this program was built.

@@ -17,8 +17,8 @@ pub fn symbol_spans(text: &str) -> String {
     spans + "</tspan>"
 }
 
-/// The italic letter of mathematics for a Latin or small Greek letter; others stay
-/// as they are.
+/// The italic letter of mathematics for a Latin or small Greek letter. Any other character stays as it
+/// is.
 pub fn italic_letter(c: char) -> char {
     let shifted = |first: char, base: u32| char::from_u32(base + (c as u32 - first as u32));
     let letter = match c {
