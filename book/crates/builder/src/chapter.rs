@@ -424,3 +424,18 @@ fn is_breakable_name(code: &str) -> bool {
     let in_name = |c: char| c.is_ascii_alphanumeric() || "_:".contains(c);
     code.chars().all(in_name) && code.contains(['_', ':'])
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_a_name_of_several_words_is_breakable() {
+        for code in ["Ray::at", "to_radians"] {
+            assert!(is_breakable_name(code), "{code}");
+        }
+        for code in ["Ray", "a + b_c", "v.dot(v)"] {
+            assert!(!is_breakable_name(code), "{code}");
+        }
+    }
+}

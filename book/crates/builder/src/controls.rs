@@ -133,3 +133,44 @@ fn label_html(symbol: &str, words: &str) -> String {
     };
     format!("<span>{symbol}{}</span>", escape(words))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use figures::find;
+
+    fn control(figure: &str, id: &str) -> String {
+        let figure = find(figure).expect("a figure");
+        let has_id = |parameter: &&Parameter| parameter.id.to_string() == id;
+        let parameter = figure.parameters.iter().find(has_id).expect("a parameter");
+        Control { figure, parameter }.html()
+    }
+
+    #[test]
+    fn control_is_of_the_kind_of_its_parameter() {
+        for (figure, id, class, tag) in [
+            ("row", "rays", "range", "<input type=\"range\" min=\"2\" max=\"25\" step=\"1\""),
+            ("row", "field-of-view", "field", "<input type=\"number\""),
+            ("row", "divide-by-hRes", "switch", "<input type=\"checkbox\">"),
+            ("step01_rays", "aspect-ratio", "range", "<b aria-hidden=\"true\">16:9</b>"),
+        ] {
+            let html = control(figure, id);
+            assert!(html.contains(tag), "{html}");
+            assert!(html.starts_with(&format!("<div class=\"{class}\" data-parameter=\"{id}\"")));
+        }
+    }
+
+    #[test]
+    fn control_of_an_object_is_hidden_until_the_object_is_chosen() {
+        assert!(control("own_scene", "red-sphere-radius").contains("data-object=\"red sphere\">"));
+        let other = control("own_scene", "blue-sphere-radius");
+        assert!(other.contains("data-object=\"blue sphere\" hidden>"), "{other}");
+    }
+
+    #[test]
+    fn exact_values_have_a_row_for_each_object() {
+        let html = html(find("three-cases").expect("a figure"));
+        assert_eq!(html.matches("<span class=\"row\">").count(), 3);
+        assert!(html.contains("<span>the start of the left ray</span>"));
+    }
+}

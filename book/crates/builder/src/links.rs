@@ -134,3 +134,39 @@ fn style_urls(css: &str) -> impl Iterator<Item = &str> {
     let imports = css.split("@import \"").skip(1).filter_map(|rest| rest.split('"').next());
     urls.chain(imports).map(|url| url.trim().trim_matches(['"', '\'']))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn address_outside_the_book_has_a_scheme_or_begins_with_a_slash() {
+        for address in ["https://a.org", "mailto:a", "//a.org", "/a.html"] {
+            assert!(is_outside_book(address), "{address}");
+        }
+        for address in ["a.html", "a.html#b:c", "../a/b.png", "#a", ""] {
+            assert!(!is_outside_book(address), "{address}");
+        }
+    }
+
+    #[test]
+    fn styles_fetch_what_their_addresses_say() {
+        let css = "@import \"a.css\"; b { src: url(\"c.woff2\"), url(d.png); }";
+        let urls: Vec<_> = style_urls(css).collect();
+        assert_eq!(urls, ["c.woff2", "d.png", "a.css"]);
+    }
+
+    #[test]
+    fn scripts_know_pixels_lines_and_scenes_of_their_page() {
+        let html = "<details data-panel=\"a\"></details><figure data-live=\"own_scene\"></figure>\
+                    <figure data-places=\"gate:1:2 normal:3:4\"></figure>";
+        let page = Page::parse("a.html", html);
+        for id in ["pixel=1,2", "line=normal:p", "scene=camera-roll:45"] {
+            assert!(is_for_script(&page, id), "{id}");
+        }
+        for id in ["line=norm:p", "scene=moon-radius:1", "section"] {
+            assert!(!is_for_script(&page, id), "{id}");
+        }
+        assert!(!is_for_script(&Page::parse("b.html", ""), "pixel=1,2"));
+    }
+}

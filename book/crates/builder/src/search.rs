@@ -46,3 +46,21 @@ fn is_hidden(element: &Element) -> bool {
     let is_answer = matches!(element.attr("class"), Some("answer" | "hints"));
     is_answer || element.attr("hidden").is_some() || element.tag == "svg"
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn hidden_elements_answers_and_hints_are_left_out() {
+        let is_left_out = |html| is_hidden(&Page::parse("a.html", html).elements[0]);
+        for html in
+            ["<p hidden>", "<svg>", "<details class=\"answer\">", "<details class=\"hints\">"]
+        {
+            assert!(is_left_out(html), "{html}");
+        }
+        for html in ["<p>", "<details class=\"aside\">"] {
+            assert!(!is_left_out(html), "{html}");
+        }
+    }
+}

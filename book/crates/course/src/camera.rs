@@ -35,3 +35,22 @@ pub fn slide_camera() -> Camera {
     camera.matrix.z_axis.y = upright;
     camera
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn camera_of_the_course_has_its_size_and_angle() {
+        let (camera, wide) = (camera(), camera_with_fov(60.0, 640));
+        assert_eq!((camera.h_res, camera.v_res), (640, 360));
+        assert_eq!((camera.matrix, wide.v_res), (wide.matrix, 360));
+    }
+
+    #[test]
+    fn primary_rays_go_through_the_pixels_row_by_row() {
+        let directions: Vec<_> = primary_rays().map(|ray| ray.direction).collect();
+        assert_eq!(directions.len(), 640 * 360);
+        assert_eq!(directions[640], camera().ray(0.0, 1.0).direction);
+    }
+}

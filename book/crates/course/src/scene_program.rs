@@ -128,3 +128,30 @@ fn array_literal(vector: DVec3) -> String {
 fn vector_call(DVec3 { x, y, z }: DVec3) -> String {
     format!("DVec3::new({x:?}, {y:?}, {z:?})")
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const PROGRAM: &str = "pub fn one() -> f64 {\n    1.0\n}\n\npub fn two() {\n    2;\n}\n";
+
+    #[test]
+    fn body_of_a_function_is_replaced() {
+        assert_eq!(&PROGRAM[body_range(PROGRAM, "two")], "    2;");
+        let mut program = PROGRAM.to_owned();
+        replace_body(&mut program, "one", "    f64::MAX");
+        assert_eq!(program, PROGRAM.replace("1.0", "f64::MAX"));
+    }
+
+    #[test]
+    fn numbers_are_written_as_rust_reads_them() {
+        assert_eq!(array_literal(DVec3::new(1.0, -0.5, 0.0)), "[1.0, -0.5, 0.0]");
+        assert_eq!(vector_call(DVec3::X), "DVec3::new(1.0, 0.0, 0.0)");
+    }
+
+    #[test]
+    fn items_have_a_line_each() {
+        assert_eq!(lines(["a", "b"].into_iter().map(str::to_owned)).trim(), "a,\n            b,");
+        assert_eq!(lines([].into_iter()), "");
+    }
+}

@@ -100,3 +100,27 @@ fn commands(points: impl IntoIterator<Item = DVec2>) -> String {
     let pairs = points.into_iter().map(|DVec2 { x, y }| format!("{x:.2} {y:.2}"));
     format!("M{}", pairs.collect::<Vec<_>>().join("L"))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn text_between_dollar_signs_is_a_symbol() {
+        let mut drawing = Drawing::new(100.0);
+        drawing.label("quiet", DVec2::ZERO, "$t$ < 2");
+        let spans = "<tspan class=\"math\">𝑡</tspan> &lt; 2";
+        assert_eq!(
+            drawing.svg_elements(),
+            format!("<text class=\"quiet\" x=\"0.0\" y=\"0.0\">{spans}</text>")
+        );
+    }
+
+    #[test]
+    fn drawing_has_its_title_and_its_height() {
+        let html = Drawing::new(100.0).html("a & b");
+        assert!(
+            html.contains("viewBox=\"0 0 480 100\"") && html.contains("<title>a &amp; b</title>")
+        );
+    }
+}

@@ -31,3 +31,32 @@ pub fn format_count(count: usize) -> String {
     let digits = digits.char_indices();
     digits.map(|(k, digit)| format!("{}{digit}", if has_comma(k) { "," } else { "" })).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_have_four_digits_at_most_and_a_minus_sign() {
+        for (number, text) in
+            [(1.0, "1"), (0.25, "0.25"), (-2.5, "−2.5"), (-0.00001, "0"), (1.0 / 3.0, "0.3333")]
+        {
+            assert_eq!(format_number(number), text);
+        }
+        assert_eq!(format_rounded(2.346, 2), "2.35");
+        assert_eq!(format_rounded(-0.04, 1), "0");
+        assert_eq!(format_vector([1.0, -0.5, 0.0]), "(1, −0.5, 0)");
+    }
+
+    #[test]
+    fn count_has_a_comma_between_thousands() {
+        for (count, text) in [(0, "0"), (999, "999"), (1000, "1,000"), (2_073_600, "2,073,600")] {
+            assert_eq!(format_count(count), text);
+        }
+    }
+
+    #[test]
+    fn sphere_is_called_by_its_colour() {
+        assert_eq!([short_name("red sphere"), short_name("ground")], ["red", "ground"]);
+    }
+}

@@ -35,3 +35,28 @@ pub fn italic_letter(c: char) -> char {
 pub fn escape(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn letters_are_italic_and_the_rest_is_as_it_was() {
+        for (letter, italic) in [('h', 'ℎ'), ('θ', '𝜃'), ('D', '𝐷'), ('2', '2')] {
+            assert_eq!(italic_letter(letter), italic);
+        }
+    }
+
+    #[test]
+    fn underscore_puts_the_next_letter_below_the_line() {
+        let spans = symbol_spans("V_0");
+        let start = "<tspan class=\"math\">𝑉<tspan class=\"small\" dy=\"4\">0</tspan>";
+        assert!(spans.starts_with(start), "{spans}");
+        assert!(symbol_spans("<").contains("&lt;"));
+    }
+
+    #[test]
+    fn markup_is_escaped() {
+        assert_eq!(escape("a < \"b\" & c"), "a &lt; &quot;b&quot; &amp; c");
+    }
+}

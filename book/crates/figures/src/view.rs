@@ -40,3 +40,24 @@ pub fn direction_left_of_up(degrees: f64) -> DVec2 {
     let angle = degrees.to_radians();
     dvec2(-angle.sin(), angle.cos())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn point_comes_back_from_the_drawing() {
+        let view = View { origin: dvec2(100.0, 50.0), scale: dvec2(10.0, 20.0) };
+        assert_eq!(view.xy_to_drawing(2.0, 1.0), dvec2(120.0, 30.0));
+        assert_eq!(view.to_world(dvec2(120.0, 30.0)), dvec2(2.0, 1.0));
+    }
+
+    #[test]
+    fn angle_is_measured_from_straight_up_to_the_left() {
+        let view = View { origin: dvec2(100.0, 50.0), scale: DVec2::ONE };
+        assert_eq!(view.degrees_left_of_up(dvec2(100.0, 0.0)), 0.0);
+        assert_eq!(view.degrees_left_of_up(dvec2(50.0, 50.0)), 90.0);
+        let position = view.to_drawing(direction_left_of_up(-30.0));
+        assert!((view.degrees_left_of_up(position) + 30.0).abs() < 1e-9);
+    }
+}
