@@ -1,272 +1,338 @@
 "use strict";
 
-// Figures and pictures that answer. Gestures become requests to the module, which is the code of the
-// five crates; its answers are put in place. Nothing about rays is computed here.
+// Interactive figures. Gestures become requests to the module, which is the code of the five crates, and
+// its replies are put in place. Nothing about rays is computed here.
+{
+    // Milliseconds that a picture may take while something moves. A slower one is drawn coarser then, and
+    // whole after a rest.
+    const FRAME = 60, REST = 150;
 
-// Milliseconds that a picture may take while something moves: a slower one is drawn coarser then, and
-// whole after a rest.
-const FRAME = 60, REST = 150;
+    book.Refusal = class extends Error {};
 
-// What the module says of a request to which it has no answer.
-class Refusal extends Error {}
+    /** @implements {InteractiveFigure} */
+    class Figure {
+        /** @param {HTMLElement} root @param {Module} module @param {HTMLElement} controls @param {HTMLElement} fault */
+        constructor(root, module, controls, fault) {
+            this.root = root;
+            this.module = module;
+            this.controls = controls;
+            this.fault = fault;
+            this.name = root.dataset.live;
+            /** @type {(() => void) | undefined} */
+            this.afterShow = undefined;
+            /** @type {(() => void) | undefined} */
+            this.afterControls = undefined;
+            /** @type {FigureAbout} */
+            this.about = this.request("about");
+            this.parameters = new Map(this.about.parameters.map(parameter => [parameter.id, parameter]));
+            /** @type {ParameterValues} */
+            this.defaults = Object.fromEntries(this.about.parameters.map(parameter => [parameter.id, parameter.default]));
+            this.values = this.defaults;
+            /** @type {FigureReply} */
+            this.reply = this.request("read", this.formatValues());
+            this.findReadouts();
+            this.makeStage();
+            this.findControls();
+            /** @type {Handle[]} */
+            this.handles = this.about.handles.map((about, index) => new book.Handle(this, about, index));
+            this.stage.append(...this.handles.map(handle => handle.element));
+            this.probe = this.handles.find(handle => handle.about.mark === "probe");
+            if (this.probe) this.followPresses();
+            this.show(this.reply);
+            this.selectObject(this.handles[0]?.object);
+        }
 
-class Figure {
-    constructor(root, module, controls, fault) {
-        Object.assign(this, { root, module, controls, fault, name: root.dataset.live });
-        this.about = this.ask("about");
-        this.values = this.about.values;
-        this.answer = this.ask("tell", ...this.values);
-        this.findTexts();
-        this.makeStage();
-        this.findControls();
-        this.handles = this.about.handles.map((about, k) => makeHandle(this, about, k));
-        this.stage.append(...this.handles);
-        this.probe = this.handles.find(handle => handle.about.mark === "probe");
-        if (this.probe) this.askWherePressed();
-        this.show(this.answer);
-        this.selectGroup(this.handles[0]?.group);
-    }
+        // The reply of the module. Throws a refusal if there is none.
+        /** @param {string} verb @param {(string | number)[]} words */
+        request(verb, ...words) {
+            const reply = book.ask(this.module, [verb, this.name, ...words].join(" "));
+            if (reply.error) throw new book.Refusal(reply.error);
+            return reply;
+        }
 
-    // The answer of the module to a request; it throws a refusal of one to which there is none.
-    ask(verb, ...words) {
-        const answer = ask(this.module, [verb, this.name, ...words].join(" "));
-        if (answer.error) throw new Refusal(answer.error);
-        return answer;
-    }
+        // The stage: the drawing or the picture, and above it the handles. What is printed stays until
+        // something moves.
+        makeStage() {
+            /** @type {HTMLImageElement} */
+            const printed = this.root.querySelector("svg, img");
+            this.size = ["width", "height"].map(side => Number(printed.getAttribute(side)));
+            this.stage = book.make("div", { class: "stage" });
+            this.stage.style.aspectRatio = this.size.join(" / ");
+            printed.replaceWith(this.stage);
+            printed.draggable = false;
+            this.stage.append(printed);
+            this.printed = printed;
+            /** @type {HTMLElement} */
+            this.output = printed;
+            // Milliseconds that the picture takes with all its columns, as far as is known.
+            this.wholeTime = 0;
+            this.restTimer = 0;
+            this.frame = 0;
+        }
 
-    // The stage: the drawing or the picture, and above it the handles. What is printed stays until
-    // something moves.
-    makeStage() {
-        const printed = this.root.querySelector("svg, img");
-        this.size = ["width", "height"].map(side => Number(printed.getAttribute(side)));
-        this.stage = make("div", { class: "stage" });
-        this.stage.style.aspectRatio = this.size.join(" / ");
-        printed.replaceWith(this.stage);
-        printed.draggable = false;
-        this.stage.append(printed);
-        Object.assign(this, { printed, output: printed, wholeTime: 0, restTimer: 0, frame: 0 });
-    }
+        // What is elsewhere on the page and depends on the values.
+        findReadouts() {
+            const { name } = this;
+            this.readouts = [...document.querySelectorAll(`[data-number^="${name}:"]`)];
+            this.conditionalParts = [...document.querySelectorAll(`[data-when^="${name}:"]`)];
+            this.panel = /** @type {HTMLDetailsElement} */ (document.querySelector(`[data-panel="${name}"]`));
+            this.code = document.querySelector(`[data-code="${name}"] code`);
+            this.companion = document.querySelector(`[data-companion="${name}"]`);
+        }
 
-    // What stands elsewhere on the page and depends on the values.
-    findTexts() {
-        const { name } = this;
-        this.numbers = [...document.querySelectorAll(`[data-number^="${name}:"]`)];
-        this.conditionalParts = [...document.querySelectorAll(`[data-when^="${name}:"]`)];
-        this.panel = document.querySelector(`[data-panel="${name}"]`);
-        this.code = document.querySelector(`[data-code="${name}"] code`);
-        this.companion = document.querySelector(`[data-companion="${name}"]`);
-    }
+        /** @param {string} id @param {number} value */
+        setValue(id, value) {
+            this.values = { ...this.values, [id]: value };
+        }
 
-    // These values with another one at an index.
-    setValue(index, value) {
-        this.values = this.values.map((old, k) => k === index ? value : old);
-    }
+        // The values as a request has them.
+        formatValues() {
+            return Object.entries(this.values).map(([id, value]) => `${id}:${value}`).join(",");
+        }
 
-    drawMoving(...words) {
-        this.draw(words, [1, 2].find(k => this.wholeTime / k ** 2 <= FRAME) ?? 4);
-    }
+        /** @param {string} verb @param {number[]} words */
+        drawMoving(verb, ...words) {
+            this.draw(verb, words, [1, 2].find(k => this.wholeTime / k ** 2 <= FRAME) ?? 4);
+        }
 
-    // Only the last gesture before a frame counts.
-    drawNextFrame(...words) {
-        cancelAnimationFrame(this.frame);
-        this.frame = requestAnimationFrame(() => this.drawMoving(...words));
-    }
+        // Only the last gesture before a frame counts.
+        /** @param {string} verb @param {number[]} words */
+        drawNextFrame(verb, ...words) {
+            cancelAnimationFrame(this.frame);
+            this.frame = requestAnimationFrame(() => this.drawMoving(verb, ...words));
+        }
 
-    // The controls are printed: for a parameter a range or a switch, and a field for a number.
-    findControls() {
-        this.parameterControls = this.values.map((_, k) => {
-            const element = this.controls.querySelector(`[data-parameter="${k}"]`);
-            if (!element) return null;
-            const inputs = [...element.querySelectorAll("input")];
-            inputs.forEach(input => this.followInput(input, k));
-            return { element, inputs, output: element.querySelector("b"), group: element.dataset.group };
-        });
-        this.groupSelect = this.controls.querySelector(".choice select");
-        this.groupSelect?.addEventListener("change", () => this.selectGroup(this.groupSelect.value));
-        this.reset = this.controls.querySelector(".reset");
-        this.reset.addEventListener("click", () => { this.values = this.about.values; this.draw(); });
-    }
-
-    followInput(input, k) {
-        input.addEventListener("input", () => {
-            const value = input.type === "checkbox" ? Number(input.checked) : readNumber(input.value);
-            if (Number.isNaN(value)) return;
-            this.setValue(k, value);
-            this.drawNextFrame("show");
-        });
-        // A field of text takes 58,72 and 1/2, too. What was typed gives way to the allowed number that is
-        // nearest, and arrow keys step as in a field of numbers.
-        if (input.type !== "number") return;
-        input.type = "text";
-        input.addEventListener("change", () => { input.value = this.values[k]; });
-        input.addEventListener("keydown", event => {
-            const steps = { ArrowUp: 1, ArrowDown: -1 }[event.key];
-            if (!steps) return;
-            event.preventDefault();
-            this.setValue(k, this.values[k] + steps * Number(input.step));
-            this.drawMoving("show");
-            input.value = this.values[k];
-        });
-    }
-
-    // Where parameters have groups, the controls of one are visible: of what was touched last.
-    selectGroup(group) {
-        if (!group) return;
-        this.groupSelect.value = group;
-        this.showControls();
-        this.handles.forEach(handle => handle.classList.toggle("chosen", handle.group === group));
-    }
-
-    showControls() {
-        const { values, answer: { texts, visible } } = this;
-        this.parameterControls.forEach((control, k) => {
-            if (!control) return;
-            const { element, inputs, output, group } = control;
-            element.hidden = !visible[k] || group !== this.groupSelect?.value;
-            for (const input of inputs) {
-                if (input.type === "checkbox") input.checked = values[k] === 1;
-                // What is being typed stays as it is.
-                else if (input.type === "range" || input !== document.activeElement) input.value = values[k];
-                if (input.type === "range") input.setAttribute("aria-valuetext", texts[k]);
+        // The controls are printed: for each parameter a slider or a switch, and a field for a number.
+        findControls() {
+            /** @type {Map<string, Control>} */
+            this.parameterControls = new Map();
+            for (const parameter of this.about.parameters) {
+                const element = this.controls.querySelector(`[data-parameter="${parameter.id}"]`);
+                /** @type {HTMLInputElement[]} */
+                const inputs = [...element.querySelectorAll("input")];
+                inputs.forEach(input => this.followInput(input, parameter));
+                const control = { element, inputs, output: element.querySelector("b"), object: element.dataset.object };
+                this.parameterControls.set(parameter.id, control);
             }
-            if (output) write(output, texts[k]);
-        });
-        this.afterControls?.();
-    }
+            this.objectSelect = /** @type {HTMLSelectElement} */ (this.controls.querySelector(".choice select"));
+            this.objectSelect?.addEventListener("change", () => this.selectObject(this.objectSelect.value));
+            this.reset = /** @type {HTMLButtonElement} */ (this.controls.querySelector(".reset"));
+            this.reset.addEventListener("click", () => { this.values = this.defaults; this.draw(); });
+        }
 
-    // Puts the answer to a request in place: a picture has all its columns, or, while something moves, a
-    // half or a quarter. Where there is nothing to show, the last one stays, and the page says so.
-    draw(words = ["show"], divisor = 1) {
-        const { columns, values } = this.about;
-        const sent = this.values.map((value, k) => k === columns ? values[k] / divisor : value);
-        const start = performance.now();
-        try {
-            const answer = this.ask(...words, ...sent);
-            this.show(answer);
-            if (!answer.size) return;
-            clearTimeout(this.restTimer);
-            this.wholeTime = (performance.now() - start) * divisor ** 2;
-            if (1 < divisor) this.restTimer = setTimeout(() => this.draw(), REST);
-        } catch (error) {
-            this.values = this.answer.values;
+        /** @param {string} id */
+        controlOf(id) {
+            return this.parameterControls.get(id);
+        }
+
+        /** @param {HTMLInputElement} input @param {ParameterAbout} parameter */
+        followInput(input, { id, step }) {
+            input.addEventListener("input", () => {
+                const value = input.type === "checkbox" ? Number(input.checked) : book.readNumber(input.value);
+                if (Number.isNaN(value)) return;
+                this.setValue(id, value);
+                this.drawNextFrame("show");
+            });
+            // A field of text takes 58,72 and 1/2 as well. When the reader leaves it, the nearest allowed number
+            // replaces what was typed. Arrow keys step as in a field of numbers.
+            if (input.type !== "number") return;
+            input.type = "text";
+            input.addEventListener("change", () => { input.value = String(this.values[id]); });
+            input.addEventListener("keydown", event => {
+                const steps = { ArrowUp: 1, ArrowDown: -1 }[event.key];
+                if (!steps) return;
+                event.preventDefault();
+                this.setValue(id, this.values[id] + steps * step);
+                this.drawMoving("show");
+                input.value = String(this.values[id]);
+            });
+        }
+
+        // In an editable scene, the controls of one object are visible: of the one that was touched last.
+        /** @param {string | undefined} object */
+        selectObject(object) {
+            if (!object) return;
+            this.objectSelect.value = object;
             this.showControls();
-            if (!(error instanceof Refusal)) throw error;
-            this.fault.textContent = "There is nothing to show at that number.";
+            for (const handle of this.handles) handle.element.classList.toggle("chosen", handle.object === object);
         }
-    }
 
-    show(answer) {
-        // The columns of a coarse picture are not the reader's.
-        const { columns, values } = this.about;
-        this.values = answer.values.map((value, k) => k === columns ? values[k] : value);
-        this.answer = { ...answer, values: this.values };
-        this.fault.textContent = "";
-        this.showOutput(answer);
-        this.showControls();
-        this.handles.forEach(handle => handle.show());
-        this.showTexts(answer.numbers);
-        this.reset.disabled = this.values.every((value, k) => value === values[k]);
-        this.afterShow?.();
-    }
-
-    showOutput({ size, pixels, drawing }) {
-        if (size) {
-            if (this.output === this.printed) {
-                this.output = make("canvas", { role: "img", "aria-label": this.printed.alt });
-                this.printed.replaceWith(this.output);
+        showControls() {
+            const { values, reply: { texts, visible } } = this;
+            for (const [id, { element, inputs, output, object }] of this.parameterControls) {
+                element.hidden = !visible[id] || object !== this.objectSelect?.value;
+                for (const input of inputs) {
+                    if (input.type === "checkbox") input.checked = values[id] === 1;
+                    // What is being typed stays as it is.
+                    else if (input.type === "range" || input !== document.activeElement) input.value = String(values[id]);
+                    if (input.type === "range") input.setAttribute("aria-valuetext", texts[id]);
+                }
+                if (output) book.write(output, texts[id]);
             }
-            paint(this.output, { pixels, size });
-        } else if (drawing !== undefined) {
-            writeHTML(() => { this.printed.querySelector("g").innerHTML = drawing; });
+            this.afterControls?.();
         }
-        if (!this.companion) return;
-        const name = this.companion.id.replace("figure-", "");
-        const companion = ask(this.module, `show ${name} ${this.values.join(" ")}`).drawing;
-        writeHTML(() => { this.companion.querySelector("g").innerHTML = companion; });
-    }
 
-    // A number that there is not here is left empty, and what speaks of it is hidden.
-    showTexts(numbers) {
-        const numberOf = key => numbers[key.slice(this.name.length + 1)] ?? "";
-        for (const number of this.numbers) write(number, numberOf(number.dataset.number));
-        for (const part of this.conditionalParts) part.hidden = numberOf(part.dataset.when) === "";
-        if (this.probe) this.showPixel(numbers);
-        if (this.code && this.code.textContent !== numbers.rust) {
-            this.code.textContent = numbers.rust;
-            colourCode(this.code);
+        // Puts the reply to a request in place. A picture has all its columns or, while something moves, a
+        // half or a quarter. If there is nothing to show, the last one stays, and the page says so.
+        /** @param {string} verb @param {number[]} words @param {number} divisor */
+        draw(verb = "show", words = [], divisor = 1) {
+            const { columns } = this.about;
+            const asked = columns && verb !== "read" ? [columns / divisor] : [];
+            const start = performance.now();
+            try {
+                const reply = this.request(verb, this.formatValues(), ...words, ...asked);
+                this.show(reply);
+                if (!reply.size) return;
+                clearTimeout(this.restTimer);
+                this.wholeTime = (performance.now() - start) * divisor ** 2;
+                if (divisor > 1) this.restTimer = setTimeout(() => this.draw(), REST);
+            } catch (error) {
+                this.values = this.reply.values;
+                this.showControls();
+                if (!(error instanceof book.Refusal)) throw error;
+                this.fault.textContent = "There is nothing to show at that number.";
+            }
+        }
+
+        /** @param {FigureReply} reply */
+        show(reply) {
+            this.values = reply.values;
+            this.reply = reply;
+            this.fault.textContent = "";
+            this.showOutput(reply);
+            this.showControls();
+            this.handles.forEach(handle => handle.show());
+            this.showReadouts(reply);
+            this.reset.disabled = this.about.parameters.every(({ id }) => this.values[id] === this.defaults[id]);
+            this.afterShow?.();
+        }
+
+        /** @param {FigureReply} reply */
+        showOutput(reply) {
+            if (reply.size) {
+                if (this.output === this.printed) {
+                    this.output = book.make("canvas", { role: "img", "aria-label": this.printed.alt });
+                    this.printed.replaceWith(this.output);
+                }
+                book.paint(/** @type {HTMLCanvasElement} */ (this.output), reply);
+            } else if (reply.drawing !== undefined) {
+                book.writeHTML(() => { this.printed.querySelector("g").innerHTML = reply.drawing; });
+            }
+            if (!this.companion) return;
+            const name = this.companion.id.replace("figure-", "");
+            const { drawing, error } = book.ask(this.module, `show ${name} ${this.formatValues()}`);
+            if (error) throw new book.Refusal(error);
+            book.writeHTML(() => { this.companion.querySelector("g").innerHTML = drawing; });
+        }
+
+        // A readout that there isn't at these values is left empty, and what speaks of it is hidden.
+        /** @param {FigureReply} reply */
+        showReadouts({ readouts, program }) {
+            /** @type {(key: string) => string} */
+            const readoutOf = key => readouts[key.slice(this.name.length + 1)] ?? "";
+            for (const element of this.readouts) book.write(element, readoutOf(element.dataset.number));
+            for (const part of this.conditionalParts) part.hidden = readoutOf(part.dataset.when) === "";
+            if (this.probe) this.showPixel(readouts);
+            if (this.code && this.code.textContent !== program) {
+                this.code.textContent = program;
+                book.colourCode(this.code);
+            }
+        }
+
+        // The line below the picture: what the ray of the probe's pixel meets, and its colour. The hint is
+        // there until a pixel is chosen.
+        /** @param {Record<string, string>} readouts */
+        showPixel({ i, j, object, seen, bytes }) {
+            this.probe.element.setAttribute("aria-valuetext", `column ${i}, row ${j}: ${seen}, colour ${bytes}`);
+            /** @type {NodeListOf<HTMLTableRowElement>} */
+            const rows = this.panel.querySelectorAll("tr");
+            for (const row of rows) row.classList.toggle("hit", row.cells[0].textContent === object);
+            if (this.isPixelChosen) {
+                const swatch = book.make("span", { class: "swatch" });
+                swatch.style.background = `rgb${bytes}`;
+                this.controls.querySelector(".hint").replaceChildren(book.make("b", {}, seen), " ", swatch, ` ${bytes}`);
+            }
+            this.isPixelChosen = true;
+        }
+
+        // The probe goes where the picture is pressed.
+        followPresses() {
+            const isWide = matchMedia("(min-width: 1500px)").matches;
+            if (isWide) this.root.append(this.panel);
+            Object.assign(this.panel, { hidden: false, open: isWide });
+            this.stage.classList.add("has-probe");
+            this.stage.addEventListener("click", event => {
+                if (event.target !== this.output) return;
+                this.drawNextFrame("drag", this.probe.index, ...this.positionOfPointer(event));
+                this.probe.element.focus({ preventScroll: true });
+            });
+        }
+
+        // The position of a pointer in the coordinates of the figure.
+        /** @param {{ clientX: number, clientY: number }} pointer */
+        positionOfPointer({ clientX, clientY }) {
+            const box = this.output.getBoundingClientRect();
+            return [(clientX - box.left) / box.width * this.size[0], (clientY - box.top) / box.height * this.size[1]];
         }
     }
 
-    // The line below the picture: what the ray of the probe's pixel meets, and its colour. Until a pixel is
-    // asked, the hint stands there.
-    showPixel({ i, j, object, object0 = object, t, t0 = t, bytes }) {
-        const met = t0 ? `${object0}, t = ${t0}` : "sky";
-        this.probe.setAttribute("aria-valuetext", `column ${i}, row ${j}: ${met}, colour ${bytes}`);
-        for (const row of this.panel.querySelectorAll("tr")) row.classList.toggle("hit", row.cells[0].textContent === object);
-        if (this.isAsked) {
-            const swatch = make("span", { class: "swatch" });
-            swatch.style.background = `rgb${bytes}`;
-            this.controls.querySelector(".hint").replaceChildren(make("b", {}, met), " ", swatch, ` ${bytes}`);
+    // The figures that are interactive by now, by their elements.
+    /** @type {Map<Element, Figure>} */
+    const figures = new Map();
+
+    // A figure becomes interactive when it comes near the view: only then is the module loaded. If that fails,
+    // the page says why, and it is tried again while the figure is near.
+    /** @param {HTMLElement} root */
+    async function activateFigure(root) {
+        const controls = root.querySelector(".controls");
+        const fault = controls.querySelector(".refused") ?? controls.appendChild(book.make("output", { class: "refused" }));
+        try {
+            const figure = new Figure(root, await book.modules.get("live"), controls, fault);
+            fault.textContent = "";
+            figures.set(root, figure);
+            if (figure.probe) movePixelOfAddress();
+            if (figure.reply.address !== undefined) book.followScene(figure);
+            Object.assign(controls, { hidden: false, inert: false });
+            root.dataset.ready = "";
+        } catch (error) {
+            fault.textContent = `This isn't interactive here. ${/** @type {Error} */ (error).message}`;
+            book.modules.drop("live");
+            if (!root.querySelector(".stage")) setTimeout(book.whenNear, 5000, [root], activateFigure);
         }
-        this.isAsked = true;
+    }
+    book.whenNear(document.querySelectorAll("figure[data-live]"), activateFigure);
+
+    // A link that names a pixel, such as #pixel=470,120. Returns the picture with a probe, and the pixel.
+    function findPixelOfAddress() {
+        const [, i, j] = location.hash.match(/^#pixel=(\d+)(?:,|%2C)(\d+)$/i) ?? [];
+        const panel = i && document.querySelector("[data-panel]");
+        const root = panel && document.querySelector(`figure[data-live="${panel.dataset.panel}"]`);
+        return root && { root, i: Number(i), j: Number(j) };
     }
 
-    // The probe goes where the picture is pressed.
-    askWherePressed() {
-        const isWide = matchMedia("(min-width: 1500px)").matches;
-        if (isWide) this.root.append(this.panel);
-        Object.assign(this.panel, { hidden: false, open: isWide });
-        this.stage.classList.add("has-probe");
-        this.stage.addEventListener("click", event => {
-            if (event.target !== this.output) return;
-            this.drawNextFrame("drag", this.handles.indexOf(this.probe), ...this.placeOfPointer(event));
-            this.probe.focus({ preventScroll: true });
-        });
+    // Moves the probe to the pixel of the address, once its picture is interactive, wherever the reader has
+    // gone meanwhile.
+    function movePixelOfAddress() {
+        const { root, i, j } = findPixelOfAddress() || {};
+        const figure = figures.get(root);
+        if (!figure) return;
+        figure.setValue(figure.probe.about.horizontal, i);
+        figure.setValue(figure.probe.about.vertical, j);
+        figure.drawMoving("show");
+        figure.probe.element.focus({ preventScroll: true });
     }
 
-    // The place of a pointer in the coordinates of the output.
-    placeOfPointer({ clientX, clientY }) {
-        const box = this.output.getBoundingClientRect();
-        return [(clientX - box.left) / box.width * this.size[0], (clientY - box.top) / box.height * this.size[1]];
+    function openPixelOfAddress() {
+        const pixel = findPixelOfAddress();
+        if (!pixel) return;
+        pixel.root.scrollIntoView({ block: "center" });
+        movePixelOfAddress();
     }
+    addEventListener("hashchange", openPixelOfAddress);
+    // The same link once more, which leaves the address as it is.
+    addEventListener("click", event => {
+        const target = /** @type {Element} */ (event.target);
+        if (target.closest("a")?.hash === location.hash) openPixelOfAddress();
+    });
+    openPixelOfAddress();
 }
-
-// A figure answers from when it comes near the view: only then is the module loaded. Where that fails,
-// the page says why, and it is tried again while the figure is near.
-async function activateFigure(root) {
-    const controls = root.querySelector(".controls");
-    const fault = controls.querySelector(".refused") ?? controls.appendChild(make("output", { class: "refused" }));
-    try {
-        const figure = new Figure(root, await wasmModules.get("live"), controls, fault);
-        fault.textContent = "";
-        root.figure = figure;
-        if (figure.probe) openPixel({ isLate: true });
-        if (figure.answer.numbers.address !== undefined) followScene(figure);
-        Object.assign(controls, { hidden: false, inert: false });
-        root.dataset.ready = "";
-    } catch (error) {
-        fault.textContent = `This doesn't answer here. ${error.message}`;
-        wasmModules.drop("live");
-        if (!root.querySelector(".stage")) setTimeout(whenNear, 5000, [root], activateFigure);
-    }
-}
-whenNear(document.querySelectorAll("figure[data-live]"), activateFigure);
-
-// A link that names a pixel, such as #pixel=470,120, brings the picture near whose pixels can be asked;
-// once it answers, the pixel is, wherever the reader has gone meanwhile.
-function openPixel({ isLate }) {
-    const [, ...place] = location.hash.match(/^#pixel=(\d+)(?:,|%2C)(\d+)$/i) ?? [];
-    const panel = place.length && document.querySelector("[data-panel]");
-    const root = panel && document.querySelector(`figure[data-live="${panel.dataset.panel}"]`);
-    if (!root) return;
-    if (!isLate) root.scrollIntoView({ block: "center" });
-    if (!root.figure) return;
-    const { figure } = root;
-    figure.probe.about.parameters.forEach((parameter, k) => figure.setValue(parameter, Number(place[k])));
-    figure.drawMoving("show");
-    figure.probe.focus({ preventScroll: true });
-}
-addEventListener("hashchange", openPixel);
-// The same link once more, which leaves the address as it is.
-addEventListener("click", ({ target }) => target.closest("a")?.hash === location.hash && openPixel({}));
-openPixel({});

@@ -1,63 +1,88 @@
 "use strict";
 
-// A handle of a figure, its number k: a slider that follows pointer, finger and arrow keys.
-function makeHandle(figure, about, k) {
-    // Each of its parameters has a control, too.
-    const parameters = [...new Set(about.parameters)];
-    const fields = about.parameters.map(parameter => figure.parameterControls[parameter].inputs[0]);
-    const { group } = figure.parameterControls[parameters[0]];
-    const handle = make("span", {
-        class: `handle handle-${about.mark}`, role: "slider", tabindex: 0, "aria-label": about.words, title: about.words,
-        "aria-valuemin": fields[0].min, "aria-valuemax": fields[0].max,
-    });
-    Object.assign(handle, { about, group });
-    handle.addEventListener("focus", () => figure.selectGroup(group));
+// The handles of a figure.
+{
+    /** @type {Record<string, ["horizontal" | "vertical", number]>} */
+    const ARROW_KEYS = {
+        ArrowLeft: ["horizontal", -1], ArrowRight: ["horizontal", 1], ArrowDown: ["vertical", -1], ArrowUp: ["vertical", 1],
+    };
 
-    // What is dragged keeps its distance from the pointer.
-    let offset;
-    handle.grab = event => {
-        if (event.button !== 0 || event.ctrlKey) return;
-        handle.setPointerCapture(event.pointerId);
-        handle.focus({ preventScroll: true });
-        const [x, y] = figure.placeOfPointer(event);
-        offset = [handle.place[0] - x, handle.place[1] - y];
-    };
-    handle.addEventListener("pointerdown", handle.grab);
-    // Where handles have groups, z follows x and y.
-    handle.changeDepth = length => {
-        const z = about.parameters[1] + 1;
-        figure.setValue(z, figure.values[z] + length / 30);
-        figure.drawNextFrame("show");
-    };
-    handle.addEventListener("pointermove", event => {
-        if (!handle.hasPointerCapture(event.pointerId)) return;
-        if (event.shiftKey && group) return void handle.changeDepth(event.movementY);
-        const [x, y] = figure.placeOfPointer(event);
-        figure.drawNextFrame("drag", k, x + offset[0], y + offset[1]);
-    });
-    handle.addEventListener("keydown", event => {
-        const [axis, sign] = { ArrowLeft: [0, -1], ArrowRight: [0, 1], ArrowDown: [1, -1], ArrowUp: [1, 1] }[event.key] ?? [];
-        if (!sign || event.altKey || event.ctrlKey || event.metaKey) return;
-        event.preventDefault();
-        const steps = (event.shiftKey ? 10 : 1) * sign * (axis && about.down ? -1 : 1);
-        const parameter = about.parameters[axis];
-        figure.setValue(parameter, figure.values[parameter] + steps * fields[axis].step);
-        // Keys follow each other faster than frames: none is lost. A probe leaves the picture as it is.
-        figure.drawMoving(handle === figure.probe ? "tell" : "show");
-    });
+    // A slider that follows pointer, finger and arrow keys. `index` is its number among the handles.
+    book.Handle = class {
+        /** @param {InteractiveFigure} figure @param {HandleAbout} about @param {number} index */
+        constructor(figure, about, index) {
+            const { min, max } = figure.parameters.get(about.horizontal);
+            this.figure = figure;
+            this.about = about;
+            this.index = index;
+            this.object = figure.controlOf(about.horizontal).object;
+            /** @type {[number, number] | null} */
+            this.position = null;
+            // What is dragged keeps its distance from the pointer.
+            this.offset = [0, 0];
+            this.element = book.make("span", {
+                class: `handle handle-${about.mark}`, role: "slider", tabindex: 0, "aria-label": about.words, title: about.words,
+                "aria-valuemin": min, "aria-valuemax": max,
+            });
+            this.element.addEventListener("focus", () => figure.selectObject(this.object));
+            this.element.addEventListener("pointerdown", event => this.grab(event));
+            this.element.addEventListener("pointermove", event => this.drag(event));
+            this.element.addEventListener("keydown", event => this.pressKey(event));
+        }
 
-    // Rounded to its step, a handle at the border may be a little outside.
-    const isInside = place => place?.every((x, k) => -4 <= x && x <= figure.size[k] + 4) ?? false;
-    // Puts the handle where the last answer has it.
-    handle.show = () => {
-        const { values, answer: { places, texts }, size } = figure;
-        handle.place = places[k];
-        const isLost = !isInside(handle.place) && handle === document.activeElement;
-        handle.hidden = !isInside(handle.place);
-        if (isLost) fields[0].focus();
-        for (const [k, side] of ["left", "top"].entries()) handle.style[side] = `${(handle.place?.[k] ?? 0) / size[k] * 100}%`;
-        handle.setAttribute("aria-valuenow", values[parameters[0]]);
-        handle.setAttribute("aria-valuetext", parameters.map(parameter => texts[parameter]).join(", "));
+        /** @param {PointerEvent} event */
+        grab(event) {
+            if (event.button !== 0 || event.ctrlKey) return;
+            this.element.setPointerCapture(event.pointerId);
+            this.element.focus({ preventScroll: true });
+            const [x, y] = this.figure.positionOfPointer(event);
+            this.offset = [this.position[0] - x, this.position[1] - y];
+        }
+
+        /** @param {PointerEvent} event */
+        drag(event) {
+            if (!this.element.hasPointerCapture(event.pointerId)) return;
+            if (event.shiftKey && this.about.depth) return this.changeDepth(event.movementY);
+            const [x, y] = this.figure.positionOfPointer(event);
+            this.figure.drawNextFrame("drag", this.index, x + this.offset[0], y + this.offset[1]);
+        }
+
+        // Moves it towards the reader, or away.
+        /** @param {number} length in pixels of the screen */
+        changeDepth(length) {
+            const { depth } = this.about;
+            this.figure.setValue(depth, this.figure.values[depth] + length / 30);
+            this.figure.drawNextFrame("show");
+        }
+
+        /** @param {KeyboardEvent} event */
+        pressKey(event) {
+            const [direction, sign] = ARROW_KEYS[event.key] ?? [];
+            if (!direction || event.altKey || event.ctrlKey || event.metaKey) return;
+            event.preventDefault();
+            const { id, step, axis } = this.figure.parameters.get(this.about[direction]);
+            const isReversed = direction === "vertical" && axis === "down";
+            const steps = (event.shiftKey ? 10 : 1) * sign * (isReversed ? -1 : 1);
+            this.figure.setValue(id, this.figure.values[id] + steps * step);
+            // Keys follow each other faster than frames, and none is lost. A probe leaves the picture as it is.
+            this.figure.drawMoving(this === this.figure.probe ? "read" : "show");
+        }
+
+        // Puts the handle where the last reply has it.
+        show() {
+            const { figure, element, about } = this;
+            const { values, reply: { positions, texts }, size } = figure;
+            this.position = positions[this.index];
+            // Rounded to its step, a handle at the border may be a little outside.
+            const isInside = this.position?.every((x, k) => -4 <= x && x <= size[k] + 4) ?? false;
+            const isLost = !isInside && element === document.activeElement;
+            element.hidden = !isInside;
+            if (isLost) figure.controlOf(about.horizontal).inputs[0].focus();
+            const [left, top] = [0, 1].map(k => `${(this.position?.[k] ?? 0) / size[k] * 100}%`);
+            Object.assign(element.style, { left, top });
+            element.setAttribute("aria-valuenow", String(values[about.horizontal]));
+            const ids = [...new Set([about.horizontal, about.vertical])];
+            element.setAttribute("aria-valuetext", ids.map(id => texts[id]).join(", "));
+        }
     };
-    return handle;
 }

@@ -7,39 +7,44 @@
     const SMALL = 320, LARGE = 640; // Columns while one types, and at rest.
     const REST = 300; // Milliseconds after the last key.
 
-    // Colours make other elements of the lines, unless they are edited.
+    // A line, by its name. Colours make new elements of the lines, unless they are edited.
+    /** @type {(name: string) => EditedLine} */
     const find = name => document.querySelector(`[data-line="${name}"]`);
+    /** @type {EditedLine | null} */
     let hand = null;
-    // All that was written, as the texts of the edited lines by name, and which of these the page has.
-    let [states, current] = [[{}], 0];
+    // What was written, state by state: the texts of the edited lines by name.
+    /** @type {UndoHistory<Record<string, string>>} */
+    const states = new book.History({});
     let restTimer = 0;
     // What is wrong with the link that led here.
     let linkFault = "";
 
+    /** @type {(words: string, act: () => void, label?: string) => HTMLButtonElement} */
     const button = (words, act, label = words) => {
-        const one = make("button", { type: "button", "class": "reset", "aria-label": label, title: label }, words);
+        const one = book.make("button", { type: "button", "class": "reset", "aria-label": label, title: label }, words);
         one.addEventListener("click", act);
         return one;
     };
-    const canvas = make("canvas", { role: "img", "aria-label": "the picture with your lines", width: LARGE, height: LARGE * 9 / 16 });
-    const status = make("p", { role: "status" });
+    const canvas = book.make("canvas", { role: "img", "aria-label": "the picture with your lines", width: LARGE, height: LARGE * 9 / 16 });
+    const status = book.make("p", { role: "status" });
     const undo = button("↶", () => show(-1), "Undo");
     const redo = button("↷", () => show(1), "Redo");
     const reset = button("Reset", () => { setText(hand, hand.dataset.book); hand.focus(); draw(LARGE); });
-    const copyLine = button("Copy line", () => copyBy(copyLine, readText(hand), "Line copied"));
-    const copyLink = button("Copy link", () => { record(); copyBy(copyLink, location.href, "Link copied"); });
+    const copyLine = button("Copy line", () => book.copyBy(copyLine, readText(hand), "Line copied"));
+    const copyLink = button("Copy link", () => { record(); book.copyBy(copyLink, location.href, "Link copied"); });
     const close = button("✕", () => { const line = hand; release(); line.focus(); }, "Close");
-    const panel = make("div", { "class": "panel" }, canvas, make("div", {}, status,
-        make("div", {}, undo, redo, reset, close, copyLine, copyLink)));
+    const panel = book.make("div", { "class": "panel" }, canvas, book.make("div", {}, status,
+        book.make("div", {}, undo, redo, reset, close, copyLine, copyLink)));
 
-    // So many letters of an element, from one on.
+    // This many letters of an element, from the one at `from` on.
+    /** @param {Element} element @param {number} from @param {number} length */
     function makeRange(element, from, length) {
         const range = document.createRange();
         const texts = document.createTreeWalker(element, NodeFilter.SHOW_TEXT);
         range.selectNodeContents(element);
-        let at = 0, text;
-        while ((text = texts.nextNode())) {
-            const end = at + text.length;
+        let at = 0;
+        for (let text = texts.nextNode(); text; text = texts.nextNode()) {
+            const end = at + text.textContent.length;
             if (at <= from && from < end) range.setStart(text, from - at);
             if (at < from + length && from + length <= end) range.setEnd(text, from + length - at);
             at = end;
@@ -47,13 +52,17 @@
         return range;
     }
 
+    /** @type {(event: Event) => EditedLine | null} */
+    const lineOf = event => /** @type {Element} */ (event.target).closest("[data-line]");
+
     // Makes the places of a listing texts to write in.
+    /** @param {HTMLElement} listing */
     function makeEditable(listing) {
         const code = listing.querySelector("code");
         for (const place of listing.dataset.places.split(" ")) {
             const [name, from, length] = place.split(":");
             const range = makeRange(code, Number(from), Number(length));
-            const line = make("span", {
+            const line = book.make("span", {
                 "class": "line", "data-line": name, role: "textbox", "aria-label": "A line to edit",
                 contenteditable: "plaintext-only", spellcheck: false, autocapitalize: "off", autocorrect: "off",
             });
@@ -62,12 +71,12 @@
         }
         for (const kind of ["click", "beforeinput"]) {
             code.addEventListener(kind, event => {
-                const line = event.target.closest("[data-line]");
+                const line = lineOf(event);
                 if (line && line !== hand) take(line);
             });
         }
         code.addEventListener("keydown", event => {
-            const line = event.target.closest("[data-line]");
+            const line = lineOf(event);
             if (!line) return;
             if ((event.ctrlKey || event.metaKey) && event.key.toLowerCase() === "z") {
                 show(event.shiftKey ? 1 : -1);
@@ -87,66 +96,76 @@
     }
 
     // The text of a line; editors write blanks of their own.
+    /** @param {EditedLine} line */
     const readText = line => line.textContent.replace(/\u00a0/g, " ");
+    /** @param {EditedLine} line */
     const isBook = line => readText(line) === line.dataset.book;
-    // One that is edited, or in hand, has the book's text besides.
-    const findEdited = () => [...document.querySelectorAll("[data-book]")].filter(line => !isBook(line));
+    // A line that is edited, or in hand, keeps the book's text as well.
+    const findEdited = () => {
+        /** @type {EditedLine[]} */
+        const lines = [...document.querySelectorAll("[data-book]")];
+        return lines.filter(line => !isBook(line));
+    };
 
     // Keeps the book's text of a line, and its colours.
+    /** @param {EditedLine} line */
     function keepBook(line) {
         line.dataset.book ??= line.textContent;
         line.bookHTML ??= line.innerHTML;
     }
 
+    /** @param {EditedLine} line @param {string} text */
     function setText(line, text) {
         keepBook(line);
         line.textContent = text;
         if (!isBook(line)) return;
-        writeHTML(() => { line.innerHTML = line.bookHTML; });
+        book.writeHTML(() => { line.innerHTML = line.bookHTML; });
         if (line !== hand) delete line.dataset.book;
     }
 
+    /** @param {EditedLine} line */
     function take(line) {
         release();
         hand = line;
         keepBook(line);
-        line.ariaCurrent = true;
+        line.ariaCurrent = "true";
         line.closest("figure").append(panel);
         line.closest("pre").scrollLeft = 0;
-        tell("One moment …");
+        say("One moment …");
         draw(LARGE);
     }
 
-    // Lets the line in hand go: what is written in it stays, and the panel goes.
+    // Deselects the line in hand, keeps its text, and closes the panel.
     function release() {
         if (!hand) return;
         const line = hand;
         clearLine();
         record();
-        hand = line.ariaCurrent = null;
+        hand = null;
+        line.ariaCurrent = null;
         setText(line, readText(line));
         panel.remove();
         document.documentElement.style.scrollPaddingBottom = "";
         const code = line.closest("code");
-        if (!code.matches(".hljs")) colour(code);
+        if (!code.matches(".hljs")) book.colour(code);
     }
 
     // Notes what is written, for undo and in the address.
     function record() {
         const edits = Object.fromEntries(findEdited().map(line => [line.dataset.line, readText(line)]).sort());
-        if (JSON.stringify(edits) !== JSON.stringify(states[current])) states.splice(current += 1, Infinity, edits);
-        [undo.disabled, redo.disabled] = [current === 0, current === states.length - 1];
+        states.record(edits);
+        [undo.disabled, redo.disabled] = [!states.has(-1), !states.has(1)];
         const hash = new URLSearchParams(Object.entries(edits).map(([name, text]) => ["line", `${name}:${text}`]));
         if (!hash.size && !location.hash.startsWith("#line=")) return;
         history.replaceState(null, "", hash.size ? `#${hash}` : location.pathname + location.search);
     }
 
-    // Shows what was written one edit later or earlier, and takes the line in hand that differs.
-    function show(later) {
+    // Shows what was written this many edits later, or earlier, and takes the line in hand that differs.
+    /** @param {number} edits */
+    function show(edits) {
         record();
-        const [before, after] = [states[current], states[current + later]];
-        if (!after) return;
-        current += later;
+        if (!states.has(edits)) return;
+        const [before, after] = [states.go(0), states.go(edits)];
         const differ = Object.keys({ ...before, ...after }).filter(name => before[name] !== after[name]).map(find);
         for (const line of differ) setText(line, after[line.dataset.line] ?? line.dataset.book);
         take(differ[0]);
@@ -155,7 +174,7 @@
         getSelection().collapseToEnd();
     }
 
-    // Drops what was to be drawn later, and what was told of the line.
+    // Cancels what was to be drawn later, and removes the mark from the line.
     function clearLine() {
         clearTimeout(restTimer);
         mark();
@@ -168,59 +187,66 @@
         restTimer = setTimeout(draw, REST, LARGE);
     }
 
-    // Letters that nobody sees, and that no Rust has.
+    // Whether a text has letters that nobody sees, and that no Rust has.
+    /** @param {string} text */
     const hasControl = text => /[^\P{Cc}\n\t]/u.test(text);
 
-    // Draws what is written. What there is to say, is said at rest.
+    // Draws what is written. The page says something about it only at rest.
+    /** @param {number} columns */
     async function draw(columns) {
         const line = hand;
         if (hasControl(readText(line))) {
             panel.classList.add("old");
-            return tell("A control character is in this line, which nobody sees. Reset brings back the book’s.");
+            return say("A control character is in this line, which nobody sees. Reset brings back the book’s.");
         }
         const others = findEdited().filter(other => other !== line && !hasControl(readText(other)));
+        /** @param {EditedLine} one */
         const words = one => `${one.dataset.line} ${readText(one)}`;
-        let answer;
+        /** @type {EditReply} */
+        let reply;
         try {
-            const module = await wasmModules.get("expressions");
+            const module = await book.modules.get("expressions");
             if (line !== hand) return;
-            answer = ask(module, `edit ${columns} ${[line, ...others].map(words).join("\x1f")}`);
-        } catch ({ message }) {
+            reply = book.ask(module, `edit ${columns} ${[line, ...others].map(words).join("\x1f")}`);
+        } catch (error) {
+            const { message } = /** @type {Error} */ (error);
             panel.classList.add("old");
-            tell(`This page can't draw that. Press Enter to try again. (${message})`);
-            wasmModules.drop("expressions");
+            say(`This page can't draw that. Press Enter to try again. (${message})`);
+            book.modules.drop("expressions");
             return;
         }
         reset.disabled = isBook(line);
-        panel.classList.toggle("old", Boolean(answer.mistake));
-        if (answer.size) paint(canvas, answer);
+        panel.classList.toggle("old", Boolean(reply.mistake));
+        if (reply.size) book.paint(canvas, reply);
         if (columns !== LARGE) return;
         record();
-        const wrong = answer.line && find(answer.line);
-        mark(wrong, answer.from, answer.to);
+        const wrong = reply.line ? find(reply.line) : null;
+        mark(wrong, reply.from, reply.to);
         if (wrong) {
-            tell(wrong === line ? answer.mistake : `In another line of yours: ${answer.mistake}`);
+            say(wrong === line ? reply.mistake : `In another line of yours: ${reply.mistake}`);
         } else if (isBook(line)) {
-            tell(linkFault || `This is the book’s line. Change it: there are numbers, operators, methods such as .sin(), if, let, and these names:\n${answer.names.join(", ")}`);
+            say(linkFault || `This is the book’s line. Change it: there are numbers, operators, methods such as .sin(), if, let, and these names:\n${reply.names.join(", ")}`);
         } else {
-            tell(answer.known || "Drawn with what you wrote. The address of the page holds it now.");
+            say(reply.known || "Drawn with what you wrote. The address of the page holds it now.");
         }
         keepInView();
     }
 
-    // Says a sentence; a list behind it is folded where there is little room.
-    function tell(text) {
+    // Says a sentence. A list after it is folded if there is little room.
+    /** @param {string} text */
+    function say(text) {
         const [sentence, list] = text.split("\n");
         if (status.dataset.text === text) return; // A list stays open.
         status.dataset.text = text;
         status.replaceChildren(sentence);
         if (!list) return;
-        const names = make("details", {}, make("summary", {}, "All names"), make("code", { tabindex: 0 }, list));
+        const names = book.make("details", {}, book.make("summary", {}, "All names"), book.make("code", { tabindex: 0 }, list));
         names.open = !matchMedia("(max-width: 600px), (max-height: 560px)").matches;
         status.append(" ", names);
     }
 
     // The line stays in view beside the panel.
+    /** @param {Event} [event] */
     function keepInView(event) {
         if (!hand) return;
         document.documentElement.style.scrollPaddingBottom = `${panel.offsetHeight + 16}px`;
@@ -228,8 +254,9 @@
     }
 
     // Marks a part of a line as wrong, or nothing.
+    /** @param {EditedLine | null} [line] @param {number} [from] @param {number} [to] */
     function mark(line, from, to) {
-        hand.ariaInvalid = line === hand;
+        hand.ariaInvalid = String(line === hand);
         window.CSS.highlights?.delete("wrong");
         if (line) window.CSS.highlights?.set("wrong", new Highlight(makeRange(line, from, Math.max(1, to - from))));
     }
@@ -246,7 +273,7 @@
         if (!linkFault) for (const [, name, text] of edits) setText(find(name), text.replace(/\u00a0/g, " "));
         const line = find(edits[0][1]);
         for (let box = line.closest("details"); box; box = box.parentElement.closest("details")) box.open = true;
-        line.closest("main > *").style.contentVisibility = "visible";
+        /** @type {HTMLElement} */ (line.closest("main > *")).style.contentVisibility = "visible";
         take(line);
         requestAnimationFrame(() => line.scrollIntoView({ block: "center" }));
     }

@@ -16,7 +16,7 @@ export const chapters = pages.filter(name => !/^(index|print)\./.test(name));
 // Finds a pattern in all chapters: [page, value of the attribute, index among the matches of that page].
 const named = pattern => chapters.flatMap(page => [...read(page).matchAll(pattern)].map(([, name], k) => [page, name, k]));
 export const figures = named(/<figure[^>]* data-live="([^"]+)"/g);
-export const forms = named(/<form[^>]* data-live="check"[^>]* data-name="([^"]+)"/g);
+export const forms = named(/<form[^>]* data-check="([^"]+)"/g);
 
 // The bytes of a picture of the book, a PNG file.
 export const picture = name => readFileSync(join(folder, `generated/${name}.png`));

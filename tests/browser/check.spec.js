@@ -6,7 +6,7 @@ import { expect, open, test } from './fixtures.js';
 for (const [name, asked] of forms.filter(([, , k]) => k === 0)) {
   test(`${name}: the form looks at pictures`, async ({ page, home }) => {
     await open(page, home + name);
-    const form = page.locator('form[data-live=check]').first();
+    const form = page.locator('form[data-check]').first();
     await form.and(page.locator(':not([hidden])')).waitFor({ state: 'attached' });
     const [input, output] = [form.locator('input[type=file]'), form.locator('output')];
     const right = asked === '*' ? 'step04_diffuse' : asked;

@@ -26,7 +26,7 @@ test('all first results except at most five are right', async ({ page, home }) =
     const address = await (await search(page, query)).getAttribute('href');
     if (!places.includes(address)) wrong.push(`${query}: ${address}`);
   }
-  const sections = await page.evaluate(() => searchIndex.flatMap(([page, , sections]) => sections.map(([id]) => `${page}#${id}`)));
+  const sections = await page.evaluate(() => book.searchIndex.flatMap(([page, , sections]) => sections.map(([id]) => `${page}#${id}`)));
   expect(queries.flatMap(([, places]) => places).filter(place => !sections.includes(place)), 'places that are gone').toEqual([]);
   expect(wrong.length, wrong.join('\n')).toBeLessThanOrEqual(5);
 });

@@ -22,7 +22,7 @@ fn sections(page: &Page) -> BTreeMap<&str, Vec<&str>> {
             }
             "form" => {
                 let forms = section.and_then(|name| sections.get_mut(name));
-                forms.into_iter().for_each(|forms| forms.extend(element.attr("data-name")));
+                forms.into_iter().for_each(|forms| forms.extend(element.attr("data-check")));
             }
             _ => {}
         }

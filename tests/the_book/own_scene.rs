@@ -3,7 +3,7 @@
 use super::built_book::read_folder;
 use super::reader_workspace::ReaderWorkspace;
 use course::describe_difference;
-use figures::{Output, find, parse_address};
+use figures::{COLUMNS, Content, EditableScene, Figure, find, parse_address};
 use image::RgbImage;
 
 /// Scenes of the page, by their addresses.
@@ -16,12 +16,17 @@ const ADDRESSES: [&str; 5] = [
     "the-way-back-shadows-and-mirrors:1,camera-position-upwards:3.5,camera-roll:-20",
 ];
 
+fn find_scene() -> (&'static Figure, &'static EditableScene) {
+    let figure = find("own_scene").expect("a figure");
+    (figure, figure.editable_scene.as_ref().expect("a scene"))
+}
+
 /// The page shows the file of the example, and once a reader changes the scene, the program that
 /// is written for it.
 #[test]
 fn program_of_the_unchanged_scene_is_the_example() {
-    let page = find("own_scene").expect("the page has it");
-    let program = (page.numbers)(&page.default_values()).remove("rust").expect("it has Rust");
+    let (figure, scene) = find_scene();
+    let program = (scene.program)(&figure.default_values());
     let examples = read_folder("steps/step05_phong/examples");
     let example = examples.text("own_scene.rs").expect("the example");
     let different = program.lines().zip(example.lines()).find(|(line, other)| line != other);
@@ -31,12 +36,11 @@ fn program_of_the_unchanged_scene_is_the_example() {
 #[test]
 #[ignore = "takes a minute: cargo test -- --include-ignored"]
 fn program_of_a_scene_draws_its_picture() {
-    let (page, reader) = (find("own_scene").expect("the page has it"), ReaderWorkspace::typed());
+    let ((figure, scene), reader) = (find_scene(), ReaderWorkspace::typed());
+    let Content::Picture { draw } = figure.content else { panic!("a drawing") };
     for address in ADDRESSES {
-        let values = parse_address(page, address).expect("a scene");
-        let program = (page.numbers)(&values).remove("rust").expect("it has Rust");
-        let Output::Pixels(picture) = (page.draw)(&values) else { panic!("no picture") };
-        assert_program_draws(&reader, &program, &picture);
+        let values = parse_address(figure, address).expect("a scene");
+        assert_program_draws(&reader, &(scene.program)(&values), &draw(&values, COLUMNS));
     }
 }
 

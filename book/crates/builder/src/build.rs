@@ -42,13 +42,13 @@ fn open_lock(path: &Path) -> Result<File> {
 
 /// The paths beside a folder to which its old contents may be moved. There are several because an
 /// old folder there may be impossible to remove, for instance if a program has it open.
-fn places_aside(folder: &Path) -> impl Iterator<Item = PathBuf> {
+fn paths_aside(folder: &Path) -> impl Iterator<Item = PathBuf> {
     (1..=9).map(|number| folder.with_extension(format!("old{number}")))
 }
 
 /// Restores a folder that a killed build moved aside, and removes any other old folders.
 fn restore_folder(folder: &Path) -> Result<()> {
-    for aside in places_aside(folder).filter(|aside| aside.exists()) {
+    for aside in paths_aside(folder).filter(|aside| aside.exists()) {
         if folder.exists() {
             let _ = fs::remove_dir_all(aside);
         } else {
@@ -64,7 +64,7 @@ fn replace_folder(draft: &Path, folder: &Path) -> io::Result<()> {
     if !folder.exists() {
         return fs::rename(draft, folder);
     }
-    let free = places_aside(folder).find(|aside| !aside.exists());
+    let free = paths_aside(folder).find(|aside| !aside.exists());
     let aside = free.ok_or_else(|| io::Error::other("too many old copies are beside it"))?;
     fs::rename(folder, &aside)?;
     if let Err(error) = fs::rename(draft, folder) {

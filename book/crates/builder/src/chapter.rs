@@ -239,7 +239,7 @@ impl<'a> Chapter<'a> {
                 return None;
             }
             Event::DisplayMath(latex) => formula::formula_html(latex, true, values),
-            Event::Code(code) if is_name_with_break(code) => {
+            Event::Code(code) if is_breakable_name(code) => {
                 Ok(markdown::code_with_break_hints(code))
             }
             Event::Code(_) => numbers::fill_in_code(source, values),
@@ -420,7 +420,7 @@ impl<'a> Chapter<'a> {
             Ok(live) => live,
             Err(error) => return Some(Err(error)),
         };
-        if let Some(picture) = live.filter(|live| live.has_probe()) {
+        if let Some(picture) = live.filter(|live| live.probe().is_some()) {
             self.missing_panel = Some((range.start, picture.name));
         }
         Some(self.figures_html(&pictures, live))
@@ -450,8 +450,23 @@ fn find_live(name: &str) -> ChapterResult<&'static Figure> {
     figures::find(name).ok_or_else(|| ChapterError::UnknownLive(name.to_owned()))
 }
 
-/// Whether code is a name such as `Ray::at`, which may be broken across lines.
-fn is_name_with_break(code: &str) -> bool {
+/// Whether code is a name such as `Ray::at`, in which a line may break.
+fn is_breakable_name(code: &str) -> bool {
     let in_name = |c: char| c.is_ascii_alphanumeric() || "_:".contains(c);
     code.chars().all(in_name) && code.contains(['_', ':'])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_a_name_of_several_words_is_breakable() {
+        for code in ["Ray::at", "to_radians"] {
+            assert!(is_breakable_name(code), "{code}");
+        }
+        for code in ["Ray", "a + b_c", "v.dot(v)"] {
+            assert!(!is_breakable_name(code), "{code}");
+        }
+    }
 }

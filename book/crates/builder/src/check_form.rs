@@ -23,7 +23,7 @@ pub fn html(name: &str, sources: &Sources) -> ChapterResult<String> {
         name => return Err(ChapterError::UnknownLockedPicture(name.to_owned())),
     };
     Ok(format!(
-        "<form class=\"check\" data-live=\"check\" data-name=\"{name}\" hidden>\
+        "<form class=\"check\" data-check=\"{name}\" hidden>\
          <label><b>Is it right?</b> {words} It stays on your computer. \
          <input type=\"file\" accept=\"image/png\"></label>{scene_field}\
          <button type=\"reset\" class=\"reset\" disabled>Reset</button>\

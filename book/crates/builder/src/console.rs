@@ -20,3 +20,22 @@ pub fn figure_markdown(folder: &str, commands: &str) -> ChapterResult<String> {
         commands.trim_start()
     ))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn prompt_is_marked_in_each_line() {
+        let html = figure_markdown("yours", "$ a > b\n$ c").expect("a console");
+        assert!(html.contains("<code><span>$ </span>a &gt; b\n<span>$ </span>c</code>"), "{html}");
+        assert!(html.contains("in your folder"));
+    }
+
+    #[test]
+    fn folder_is_ours_or_yours() {
+        let html = figure_markdown("yours,fails", "$ a").expect("a console");
+        assert!(html.contains("data-folder=\"yours fails\""), "{html}");
+        assert!(matches!(figure_markdown("theirs", "$ a"), Err(ChapterError::ConsoleForm)));
+    }
+}

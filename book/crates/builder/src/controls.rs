@@ -1,43 +1,43 @@
-//! The controls of an interactive figure: sliders, number fields, switches and choices.
+//! The controls below an interactive figure.
 
-use figures::{ControlKind, Figure, Parameter, escape, italic_letter};
+use figures::{Figure, Parameter, ParameterKind, escape, italic_letter};
 
 const HINT: &str = "<span class=\"hint\">Click or tap the picture, or move the cross \
                     with the arrow keys, to choose a pixel.</span>";
 
 const RESET: &str = "<button type=\"button\" class=\"reset\" disabled>Reset</button>";
 
-/// The controls below a figure or picture: one for each parameter, except those of
-/// [`ControlKind::Columns`]. The number fields of parameters that a handle sets are folded away. If
-/// parameters have groups, the page shows one group at a time.
+/// The controls below a figure, one for each parameter. Number fields for what a handle sets are
+/// folded away. An editable scene has a choice of its objects, and the page shows the controls of
+/// one object at a time.
 ///
-/// The controls are printed with the page, so that nothing moves when they start working. Without
-/// scripts they stay hidden; see book/theme/figure.js.
-pub fn html(live: &Figure) -> String {
-    let mut groups: Vec<_> = live.parameters.iter().map(|parameter| parameter.group).collect();
-    groups.dedup();
-    groups.retain(|group| !group.is_empty());
+/// They are hidden if no script can make the figure interactive. Otherwise they are shown from the
+/// first, and work as soon as the module has come; see book/theme/figure.js.
+pub fn html(figure: &Figure) -> String {
     let (mut exact, mut above, mut below) = (vec![], String::new(), String::new());
-    for (k, parameter) in live.parameters.iter().enumerate() {
-        let control = Control::new(live, k, parameter);
-        match parameter.control {
-            ControlKind::Columns => {}
-            _ if control.is_exact => exact.push(control),
-            ControlKind::Switch => above += &control.html(),
-            _ if groups.is_empty() => above += &control.html(),
-            _ => below += &control.html(),
+    for parameter in &figure.parameters {
+        let control = Control { figure, parameter };
+        if control.is_exact() {
+            exact.push(control);
+        } else if parameter.kind == ParameterKind::Switch || figure.editable_scene.is_none() {
+            above += &control.html();
+        } else {
+            below += &control.html();
         }
     }
-    let hint = if live.has_probe() { HINT } else { "" };
-    let content = if groups.is_empty() {
-        format!("{above}{}{RESET}", exact_html(&exact))
-    } else {
-        let options = groups.iter().map(|group| format!("<option>{}</option>", escape(group)));
-        let options: String = options.collect();
+    let hint = if figure.probe().is_some() { HINT } else { "" };
+    let content = if figure.editable_scene.is_some() {
+        let mut objects: Vec<_> =
+            figure.parameters.iter().filter_map(|parameter| parameter.id.object()).collect();
+        objects.dedup();
+        let options: String =
+            objects.iter().map(|object| format!("<option>{}</option>", escape(object))).collect();
         format!(
             "<div class=\"choice\"><label>Change <select>{options}</select></label>\
              {above}{RESET}</div>{below}"
         )
+    } else {
+        format!("{above}{}{RESET}", exact_html(&exact))
     };
     format!("<div class=\"controls\" hidden inert>{hint}{content}</div>")
 }
@@ -47,9 +47,11 @@ fn exact_html(exact: &[Control]) -> String {
     if exact.is_empty() {
         return String::new();
     }
-    let rows = exact.chunk_by(|one, other| one.words == other.words).map(|row| {
+    let words = |control: &Control| control.parameter.words.clone();
+    let rows = exact.chunk_by(|one, other| words(one) == words(other)).map(|row| {
         let fields: String = row.iter().map(Control::html).collect();
-        let object = escape(row[0].words.strip_prefix("of ").unwrap_or(&row[0].words));
+        let words = words(&row[0]);
+        let object = escape(words.strip_prefix("of ").unwrap_or(&words));
         format!("<span class=\"row\"><span>{object}</span>{fields}</span>")
     });
     let rows: String = rows.collect();
@@ -58,77 +60,68 @@ fn exact_html(exact: &[Control]) -> String {
 
 /// The control of a parameter, with the words of its label.
 struct Control<'a> {
-    live: &'a Figure,
-    k: usize,
+    figure: &'a Figure,
     parameter: &'a Parameter,
-    symbol: &'static str,
-    words: String,
-    /// Whether a handle sets this parameter, or a different coordinate of the same object.
-    is_exact: bool,
 }
 
-impl<'a> Control<'a> {
-    /// Describes the control of the parameter with index `k`. A coordinate of a handle is named
-    /// after the handle.
-    fn new(live: &'a Figure, k: usize, parameter: &'a Parameter) -> Self {
-        let Parameter { words, group, .. } = parameter;
-        let handle = live.handles.iter().find(|handle| handle.parameters.contains(&k));
-        let handle = handle.filter(|_| group.is_empty());
-        let mut set = live.handles.iter().flat_map(|handle| handle.parameters);
-        let is_of_object = |k: usize| group.is_empty() && live.parameters[k].words == *words;
-        let is_exact = handle.is_some() || !words.is_empty() && set.any(is_of_object);
-        let (symbol, words) = match handle.filter(|_| words.is_empty()) {
-            None => (parameter.symbol, words.clone()),
-            Some(handle) => match handle.parameters {
-                [x, y] if x == y => ("", handle.words.to_string()),
-                [x, _] if x == k => ("x", format!("of {}", handle.words)),
-                _ => ("y", format!("of {}", handle.words)),
-            },
-        };
-        Self { live, k, parameter, symbol, words, is_exact }
+impl Control<'_> {
+    /// Whether a handle sets it, or another coordinate of the same object. An editable scene has
+    /// all controls in view.
+    fn is_exact(&self) -> bool {
+        let Self { figure, parameter } = self;
+        let is_moved = figure.handles.iter().any(|handle| handle.moves(parameter.id));
+        is_moved && figure.editable_scene.is_none()
     }
 
-    /// The HTML of the control, set to its default. A parameter that a handle sets has only a
-    /// number field, without a slider.
+    /// The object that the page shows it for; None if it is there for all.
+    fn object(&self) -> Option<&'static str> {
+        self.figure.editable_scene.as_ref().and(self.parameter.id.object())
+    }
+
+    /// Whether the control is shown before anything has been touched: in an editable scene, the
+    /// controls of the first object that has a handle.
+    fn is_shown_at_first(&self) -> bool {
+        let Self { figure, parameter } = self;
+        let handle = figure.handles.first().filter(|_| figure.editable_scene.is_some());
+        let is_of_first_object =
+            self.object() == handle.and_then(|handle| handle.horizontal.object());
+        (parameter.has_control)(parameter, &figure.default_values()) && is_of_first_object
+    }
+
+    /// The control at its default. What a handle sets has a number field without a slider.
     fn html(&self) -> String {
-        let Self { live, k, parameter, symbol, words, .. } = self;
-        let Parameter { range: [min, max], steps_per_unit, default, group, .. } = parameter;
-        let step = 1.0 / steps_per_unit;
+        let Parameter { id, symbol, words, unit, range: [min, max], default, .. } = self.parameter;
+        let step = self.parameter.step();
         let range = format!("min=\"{min}\" max=\"{max}\" step=\"{step}\" value=\"{default}\"");
         let slider = format!("<input type=\"range\" {range}>");
         let name = escape(&format!("{symbol} {words}"));
         let number = format!("<input type=\"number\" aria-label=\"{name}\" {range}>");
         let label = label_html(symbol, words);
-        let (class, content) = match parameter.control {
-            ControlKind::Columns => Default::default(),
-            ControlKind::Switch => {
+        let (class, content) = match self.parameter.kind {
+            ParameterKind::Switch => {
                 let checked = if *default == 1.0 { " checked" } else { "" };
                 let field = format!("<input type=\"checkbox\"{checked}>");
                 ("switch", format!("<label>{label}{field}</label>"))
             }
-            ControlKind::Choice(_) => {
-                let text = escape(&parameter.format(*default));
+            ParameterKind::Choice(_) => {
+                let text = escape(&self.parameter.format(*default));
                 let text = format!("<b aria-hidden=\"true\">{text}</b>");
                 ("range", format!("<label>{label}{slider}</label>{text}"))
             }
-            ControlKind::Number(unit) if self.is_exact => {
+            ParameterKind::Number if self.is_exact() => {
                 let label = label_html(symbol, "");
                 ("field", format!("<label>{label} {number}{}</label>", escape(unit)))
             }
-            ControlKind::Number(unit) => {
+            ParameterKind::Number => {
                 let field = format!("<span>{number}{}</span>", escape(unit));
                 ("range", format!("<label>{label}{slider}</label>{field}"))
             }
         };
-        let first = live.handles.first().map(|handle| handle.parameters[0]);
-        let first_group = first.map_or("", |k| live.parameters[k].group);
-        let has_control = (parameter.has_control)(parameter, &live.default_values());
-        let hidden = if has_control && *group == first_group { "" } else { " hidden" };
-        let group = match *group {
-            "" => String::new(),
-            group => format!(" data-group=\"{}\"", escape(group)),
-        };
-        format!("<div class=\"{class}\" data-parameter=\"{k}\"{group}{hidden}>{content}</div>")
+        let hidden = if self.is_shown_at_first() { "" } else { " hidden" };
+        let object = self
+            .object()
+            .map_or(String::new(), |object| format!(" data-object=\"{}\"", escape(object)));
+        format!("<div class=\"{class}\" data-parameter=\"{id}\"{object}{hidden}>{content}</div>")
     }
 }
 
@@ -139,4 +132,45 @@ fn label_html(symbol: &str, words: &str) -> String {
         _ => format!("<span class=\"symbol\" aria-hidden=\"true\">{}</span> ", escape(&symbol)),
     };
     format!("<span>{symbol}{}</span>", escape(words))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use figures::find;
+
+    fn control(figure: &str, id: &str) -> String {
+        let figure = find(figure).expect("a figure");
+        let has_id = |parameter: &&Parameter| parameter.id.to_string() == id;
+        let parameter = figure.parameters.iter().find(has_id).expect("a parameter");
+        Control { figure, parameter }.html()
+    }
+
+    #[test]
+    fn control_is_of_the_kind_of_its_parameter() {
+        for (figure, id, class, tag) in [
+            ("row", "rays", "range", "<input type=\"range\" min=\"2\" max=\"25\" step=\"1\""),
+            ("row", "field-of-view", "field", "<input type=\"number\""),
+            ("row", "divide-by-hRes", "switch", "<input type=\"checkbox\">"),
+            ("step01_rays", "aspect-ratio", "range", "<b aria-hidden=\"true\">16:9</b>"),
+        ] {
+            let html = control(figure, id);
+            assert!(html.contains(tag), "{html}");
+            assert!(html.starts_with(&format!("<div class=\"{class}\" data-parameter=\"{id}\"")));
+        }
+    }
+
+    #[test]
+    fn control_of_an_object_is_hidden_until_the_object_is_chosen() {
+        assert!(control("own_scene", "red-sphere-radius").contains("data-object=\"red sphere\">"));
+        let other = control("own_scene", "blue-sphere-radius");
+        assert!(other.contains("data-object=\"blue sphere\" hidden>"), "{other}");
+    }
+
+    #[test]
+    fn exact_values_have_a_row_for_each_object() {
+        let html = html(find("three-cases").expect("a figure"));
+        assert_eq!(html.matches("<span class=\"row\">").count(), 3);
+        assert!(html.contains("<span>the start of the left ray</span>"));
+    }
 }

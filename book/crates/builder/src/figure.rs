@@ -4,13 +4,12 @@ use crate::controls;
 use crate::fault::{ChapterError, ChapterResult};
 use crate::markdown::inline_html;
 use crate::values::Values;
-use figures::Output;
+use figures::{Content, find};
 
-/// The HTML of the figure called `name`.
+/// The HTML of the drawing called `name`, with its caption and its controls.
 pub fn html(name: &str, values: &Values) -> ChapterResult<String> {
-    let Some((figure, Output::Drawing(drawing))) =
-        figures::find(name).map(|figure| (figure, figure.default_output()))
-    else {
+    let figure = find(name).ok_or_else(|| ChapterError::UnknownFigure(name.to_owned()))?;
+    let Content::Drawing { title, caption, draw } = figure.content else {
         return Err(ChapterError::UnknownFigure(name.to_owned()));
     };
     let (live, controls) = match figure.followed {
@@ -21,7 +20,7 @@ pub fn html(name: &str, values: &Values) -> ChapterResult<String> {
     Ok(format!(
         "<figure class=\"drawing\" id=\"figure-{name}\"{live}>{}{controls}\
          <figcaption>{}</figcaption></figure>\n",
-        drawing.html(figure.title),
-        inline_html(figure.caption, values)?
+        draw(&figure.default_values()).html(title),
+        inline_html(caption, values)?
     ))
 }

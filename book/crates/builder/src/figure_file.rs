@@ -1,21 +1,19 @@
 //! The drawings as SVG files of their own, for slides.
 
 use anyhow::Result;
-use figures::{FIGURES, Output};
+use figures::{Content, FIGURES};
 use std::fs;
 use std::path::Path;
 
-/// All drawings with their default parameters, as SVG files such as `figure-row.svg`. Each contains
-/// the rules of the theme, in its light colours.
+/// All drawings at their defaults as SVG files such as `figure-row.svg`. Each contains the style of
+/// the theme, with its light colours.
 pub fn svg_files(workspace: &Path) -> Result<Vec<(String, Vec<u8>)>> {
     let read = |file| fs::read_to_string(workspace.join("book/theme/css").join(file));
     let style = standalone_style(&read("drawing.css")?, &read("variables.css")?);
-    // Pictures, which have no title, are left out: they take long to draw.
-    let figures = FIGURES.iter().filter(|figure| !figure.title.is_empty());
-    let files = figures.filter_map(|figure| {
-        let Output::Drawing(drawing) = figure.default_output() else { return None };
-        let svg = drawing.html(figure.title);
-        // Leave room on both sides, since the program that shows it may use a wider font.
+    let files = FIGURES.iter().filter_map(|figure| {
+        let Content::Drawing { title, draw, .. } = figure.content else { return None };
+        let svg = draw(&figure.default_values()).html(title);
+        // Room at both sides for letters that are wider than ours.
         let svg = svg.replacen("\"0 0 480", "\"-24 0 528", 1);
         let svg = svg.replacen("<svg", "<svg xmlns=\"http://www.w3.org/2000/svg\"", 1);
         let svg = svg.replacen("<g>", &format!("<style>{style}</style><g>"), 1);
@@ -35,4 +33,18 @@ fn standalone_style(rules: &str, variables: &str) -> String {
         style = style.replace(&format!("var({name})"), light.unwrap_or(value));
     }
     style
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn style_has_the_rules_of_drawings_with_values_in_place_of_variables() {
+        let rules = ".drawing .ray { stroke: var(--ray); }\nbody { color: var(--text); }\n";
+        let variables = ":root {\n    --ray: light-dark(#123, #456);\n}\n";
+        assert_eq!(standalone_style(rules, variables), ".ray { stroke: #123; }");
+        let plain = standalone_style(".drawing text { fill: var(--a); }", "--a: red;");
+        assert_eq!(plain, "text { fill: red; }");
+    }
 }

@@ -19,3 +19,18 @@ pub fn opening_html(kind: &str, summary: &str, values: &Values) -> Option<Chapte
         )
     }))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn heading_begins_with_the_kind() {
+        let opening = |kind| opening_html(kind, "Why *is* it?", &Values::default());
+        let html = opening("predict").expect("a box").expect("a heading");
+        assert!(html.starts_with("<details class=\"predict\"><summary>"), "{html}");
+        let heading = "<span class=\"kind\">Predict</span> <span>Why <em>is</em> it?</span>";
+        assert!(html.contains(heading), "{html}");
+        assert!(opening("drawer").is_none());
+    }
+}

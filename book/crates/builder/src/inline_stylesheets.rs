@@ -26,3 +26,25 @@ pub fn inline_stylesheets(html: &str, files: &Files) -> Result<String, Styleshee
         Ok(format!("<style>\n{css}</style>"))
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn inline(html: &str) -> Result<String, StylesheetError> {
+        let css = "a { src: url(\"b.woff2\"); }\n";
+        inline_stylesheets(html, &Files([("css/a.css".to_owned(), css.into())].into()))
+    }
+
+    #[test]
+    fn style_takes_the_place_of_its_link() {
+        let html = inline("<link rel=\"stylesheet\" href=\"css/a.css\">text").expect("a page");
+        assert_eq!(html, "<style>\na { src: url(\"css/b.woff2\"); }\n</style>text");
+    }
+
+    #[test]
+    fn link_to_no_stylesheet_is_an_error() {
+        let error = inline("<link rel=\"stylesheet\" href=\"b.css\">").expect_err("no file");
+        assert_eq!(error.to_string(), "there is no b.css");
+    }
+}

@@ -103,14 +103,14 @@ fn check_address(
     }
     let is_there = id.is_empty()
         || ids.contains(&(&path, Some(id)))
-        || site.pages.get(&path).is_some_and(|page| is_answered(page, id));
+        || site.pages.get(&path).is_some_and(|page| is_for_script(page, id));
     if is_there { Ok(()) } else { Err(AddressError::UnknownId { id: id.to_owned(), path }) }
 }
 
-/// Whether the scripts of the page understand the end of an address: `pixel=470,120` if the page
-/// has the panel of a pixel, `line=gate:true` if it has that editable line, or `scene=…` if it has
-/// the reader's own scene.
-fn is_answered(page: &Page, id: &str) -> bool {
+/// Whether a script of the page knows what to do with the end of an address: `pixel=470,120`, if a
+/// pixel can be chosen there; `line=gate:true`, if that line can be edited; or the address of a
+/// `scene=…`.
+fn is_for_script(page: &Page, id: &str) -> bool {
     match id.split_once('=') {
         Some(("pixel", _)) => page.attribute_values("data-panel").next().is_some(),
         Some(("line", words)) => {
@@ -133,4 +133,40 @@ fn style_urls(css: &str) -> impl Iterator<Item = &str> {
     let urls = css.split("url(").skip(1).filter_map(|rest| rest.split(')').next());
     let imports = css.split("@import \"").skip(1).filter_map(|rest| rest.split('"').next());
     urls.chain(imports).map(|url| url.trim().trim_matches(['"', '\'']))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn address_outside_the_book_has_a_scheme_or_begins_with_a_slash() {
+        for address in ["https://a.org", "mailto:a", "//a.org", "/a.html"] {
+            assert!(is_outside_book(address), "{address}");
+        }
+        for address in ["a.html", "a.html#b:c", "../a/b.png", "#a", ""] {
+            assert!(!is_outside_book(address), "{address}");
+        }
+    }
+
+    #[test]
+    fn styles_fetch_what_their_addresses_say() {
+        let css = "@import \"a.css\"; b { src: url(\"c.woff2\"), url(d.png); }";
+        let urls: Vec<_> = style_urls(css).collect();
+        assert_eq!(urls, ["c.woff2", "d.png", "a.css"]);
+    }
+
+    #[test]
+    fn scripts_know_pixels_lines_and_scenes_of_their_page() {
+        let html = "<details data-panel=\"a\"></details><figure data-live=\"own_scene\"></figure>\
+                    <figure data-places=\"gate:1:2 normal:3:4\"></figure>";
+        let page = Page::parse("a.html", html);
+        for id in ["pixel=1,2", "line=normal:p", "scene=camera-roll:45"] {
+            assert!(is_for_script(&page, id), "{id}");
+        }
+        for id in ["line=norm:p", "scene=moon-radius:1", "section"] {
+            assert!(!is_for_script(&page, id), "{id}");
+        }
+        assert!(!is_for_script(&Page::parse("b.html", ""), "pixel=1,2"));
+    }
 }

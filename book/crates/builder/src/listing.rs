@@ -4,9 +4,8 @@
 use crate::Sources;
 use crate::fault::{ChapterError, ChapterResult};
 use crate::files::{CHAPTERS, resolve_path};
-use crate::values::Notation;
 use course::{Place, Step};
-use figures::escape;
+use figures::{escape, find};
 use std::fs;
 use std::ops::Range;
 use std::path::Path;
@@ -49,8 +48,8 @@ pub fn html(
     let changed = old.and_then(|old| changed_lines_style(&code, &old)).unwrap_or_default();
     let mut attributes = places_attribute(path, &code);
     if !live.is_empty() {
-        let rust = sources.values.text(&format!("{live}:rust"), Notation::Code);
-        rust.map_err(|_| ChapterError::UnknownProgram(live.to_owned()))?;
+        let scene = find(live).and_then(|figure| figure.editable_scene.as_ref());
+        scene.ok_or_else(|| ChapterError::UnknownProgram(live.to_owned()))?;
         attributes += &format!(" data-code=\"{live}\"");
     }
     Ok(figure_markdown(path, &attributes, part, &changed, (language, &code), ids))

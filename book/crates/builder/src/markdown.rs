@@ -43,3 +43,22 @@ pub fn code_with_break_hints(code: &str) -> String {
     let code = code.replace("::", "::<wbr>").replace('_', "&#95;<wbr>");
     format!("<code>{code}</code>")
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn paragraph_has_no_tags_of_its_own() {
+        let html = |markdown| inline_html(markdown, &Values::default());
+        assert_eq!(html("It's *one*\nline").expect("HTML"), "It’s <em>one</em> line");
+        assert!(html("$t$").expect("HTML").starts_with("<math>"));
+        assert_eq!(html("{{#value step02_sphere:300,150:b0}}").expect("HTML"), "−10");
+        assert!(matches!(html("1 $"), Err(ChapterError::LoneDollarInWords)));
+    }
+
+    #[test]
+    fn name_breaks_after_colons_and_underscores() {
+        assert_eq!(code_with_break_hints("A::b_c"), "<code>A::<wbr>b&#95;<wbr>c</code>");
+    }
+}

@@ -106,11 +106,11 @@ impl Page {
                 }
                 Token::TagToken(tag) => {
                     let is_start = |&index: &usize| elements[index].tag == *tag.name;
-                    if let Some(place) = open.iter().rposition(is_start) {
+                    if let Some(level) = open.iter().rposition(is_start) {
                         let end = elements.len();
-                        let element = &mut elements[open[place]];
+                        let element = &mut elements[open[level]];
                         (element.descendants.end, element.text.end) = (end, text.len());
-                        open.truncate(place);
+                        open.truncate(level);
                     }
                 }
                 Token::CharacterTokens(characters) => text += &characters,
@@ -181,5 +181,39 @@ impl TokenSink for Tokens {
             if tag.kind == TagKind::StartTag && matches!(&*tag.name, "script" | "style"));
         self.0.borrow_mut().push(token);
         if is_raw { TokenSinkResult::RawData(RawKind::Rawtext) } else { TokenSinkResult::Continue }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const HTML: &str = "<main id=\"a\"><p>one <b>two</b></p><style>p > b {}</style><img src=\"c\">\
+                        <table><td>x</td><td>y</td></table></main>";
+
+    #[test]
+    fn page_has_its_elements_and_their_texts() {
+        let page = Page::parse("a.html", HTML);
+        let tags: Vec<_> = page.elements.iter().map(|element| &*element.tag).collect();
+        assert_eq!(tags, ["main", "p", "b", "style", "img", "table", "td", "td"]);
+        assert_eq!(page.text(&page.elements[1]), "one two");
+        assert_eq!(page.text(&page.elements[3]), "p > b {}");
+        assert_eq!(page.text(&page.elements[5]).trim(), "x  y");
+        assert_eq!(page.descendants(&page.elements[1]).len(), 1);
+        assert_eq!(page.attribute_values("src").collect::<Vec<_>>(), ["c"]);
+    }
+
+    #[test]
+    fn text_of_an_element_can_be_left_out() {
+        let page = Page::parse("a.html", HTML);
+        let text =
+            page.text_without(&page.elements[0], |element| ["b", "style"].contains(&&*element.tag));
+        assert_eq!(text.split_whitespace().collect::<Vec<_>>(), ["one", "x", "y"]);
+    }
+
+    #[test]
+    fn fault_has_the_address_of_the_id_before_it() {
+        let page = Page::parse("a.html", HTML);
+        assert_eq!(page.address_for_fault(&page.elements[4]), "a.html#a");
     }
 }

@@ -13,7 +13,7 @@ pub fn index_script(site: &Site) -> Result<String> {
         (&page.name, title.unwrap_or_default(), sections)
     });
     let index = serde_json::to_string(&pages.collect::<Vec<_>>())?;
-    Ok(format!("window.searchIndex = {index};\n"))
+    Ok(format!("book.searchIndex = {index};\n"))
 }
 
 /// The id, the title, the prose and the listings of each section of a page.
@@ -46,4 +46,22 @@ fn sections(page: &Page) -> Vec<[String; 4]> {
 fn is_hidden(element: &Element) -> bool {
     let is_answer = matches!(element.attr("class"), Some("answer" | "hints"));
     is_answer || element.attr("hidden").is_some() || element.tag == "svg"
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn hidden_elements_answers_and_hints_are_left_out() {
+        let is_left_out = |html| is_hidden(&Page::parse("a.html", html).elements[0]);
+        for html in
+            ["<p hidden>", "<svg>", "<details class=\"answer\">", "<details class=\"hints\">"]
+        {
+            assert!(is_left_out(html), "{html}");
+        }
+        for html in ["<p>", "<details class=\"aside\">"] {
+            assert!(!is_left_out(html), "{html}");
+        }
+    }
 }

@@ -74,6 +74,6 @@ pub fn small_picture_name(step: Step) -> String {
 /// scripts but not data, so data has to come as a script.
 fn insert_script(files: &mut BTreeMap<String, Vec<u8>>, name: &str, bytes: &[u8]) {
     let bytes = BASE64_STANDARD.encode(bytes);
-    let script = format!("wasmModules.provide(\"{name}\", \"{bytes}\");\n");
+    let script = format!("book.modules.provide(\"{name}\", \"{bytes}\");\n");
     files.insert(format!("{name}.js"), script.into_bytes());
 }

@@ -9,7 +9,7 @@
 
 use crate::fault::{ChapterError, ChapterResult};
 use course::{camera, largest_channel_difference, primary_rays, ungated_colour};
-use figures::{Figure, Numbers, discriminant, format_count};
+use figures::{Figure, Readouts, discriminant, format_count};
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
 use std::sync::{Mutex, PoisonError};
@@ -29,8 +29,9 @@ pub enum Notation {
 /// The values that the chapters use.
 #[derive(Debug, Default)]
 pub struct Values {
-    /// The numbers of each figure and pixel that has been used so far.
-    numbers: Mutex<BTreeMap<FigureAndPixel, Numbers>>,
+    /// The readouts of each figure and pixel so far, since all readouts of a figure are computed
+    /// together.
+    readouts: Mutex<BTreeMap<FigureAndPixel, Readouts>>,
 }
 
 /// The name of a figure, and a pixel such as `470,120`, or None for the default one.
@@ -41,7 +42,7 @@ impl Values {
     pub fn text(&self, name: &str, notation: Notation) -> ChapterResult<String> {
         let text = match name.split_once(':') {
             Some(("R_d", object)) => diffuse_reflectance_text(object),
-            Some((figure, number)) => self.figure_number(figure, number),
+            Some((figure, readout)) => self.readout(figure, readout),
             None => count(name).map(format_count),
         };
         let text = text.ok_or_else(|| ChapterError::UnknownValue(name.to_owned()))?;
@@ -51,34 +52,34 @@ impl Values {
         })
     }
 
-    /// A number of a figure with its default parameters, such as `D`, or of a pixel of a picture
-    /// with a probe, such as `470,120:t`.
-    fn figure_number(&self, name: &str, number: &str) -> Option<String> {
-        let figure = figures::find(name)?;
-        let (pixel, number) = match number.split_once(':').filter(|_| figure.has_probe()) {
-            Some((pixel, number)) => (Some(pixel), number),
-            None => (None, number),
+    /// A readout such as `D` of a figure at its defaults, or such as `470,120:t` of a picture with
+    /// a probe.
+    fn readout(&self, figure_name: &str, readout: &str) -> Option<String> {
+        let figure = figures::find(figure_name)?;
+        let (pixel, readout) = match readout.split_once(':').filter(|_| figure.probe().is_some()) {
+            Some((pixel, readout)) => (Some(pixel), readout),
+            None => (None, readout),
         };
-        let key = (name.to_owned(), pixel.map(str::to_owned));
-        let mut known = self.numbers.lock().unwrap_or_else(PoisonError::into_inner);
-        let numbers = match known.entry(key) {
+        let key = (figure_name.to_owned(), pixel.map(str::to_owned));
+        let mut known = self.readouts.lock().unwrap_or_else(PoisonError::into_inner);
+        let readouts = match known.entry(key) {
             Entry::Occupied(entry) => entry.into_mut(),
-            Entry::Vacant(entry) => entry.insert(compute_numbers(figure, pixel)?),
+            Entry::Vacant(entry) => entry.insert(compute_readouts(figure, pixel)?),
         };
-        numbers.get(number).cloned()
+        readouts.get(readout).cloned()
     }
 }
 
-/// Computes all numbers of a figure, at this pixel if one is given. Returns None if there is no
-/// such pixel.
-fn compute_numbers(figure: &Figure, pixel: Option<&str>) -> Option<Numbers> {
-    let mut values = figure.default_values();
-    if let Some(pixel) = pixel {
-        let (i, j) = pixel.split_once(',')?;
-        values[..2].copy_from_slice(&[i.parse().ok()?, j.parse().ok()?]);
-    }
-    let is_allowed = figure.snap_if_allowed(&values)? == values;
-    is_allowed.then(|| (figure.numbers)(&values))
+/// All readouts of a figure, for this pixel of a picture; None if there is no such pixel.
+fn compute_readouts(figure: &Figure, pixel: Option<&str>) -> Option<Readouts> {
+    let values = match pixel {
+        Some(pixel) => {
+            let (i, j) = pixel.split_once(',')?;
+            figure.values_at_pixel([i.parse().ok()?, j.parse().ok()?])?
+        }
+        None => figure.default_values(),
+    };
+    Some((figure.readouts)(&values))
 }
 
 /// The count with this name.
@@ -135,14 +136,14 @@ mod tests {
     use super::*;
 
     #[test]
-    fn numbers_of_a_figure_are_computed_once() {
+    fn readouts_of_a_figure_are_computed_once() {
         let values = Values::default();
         values.text("step02_sphere:300,150:a0", Notation::Prose).expect("a number");
         // If the numbers were computed again, this one would be lost.
         let key = ("step02_sphere".to_owned(), Some("300,150".to_owned()));
-        let mut known = values.numbers.lock().expect("a map");
-        let numbers = known.get_mut(&key).expect("the numbers of the pixel");
-        numbers.insert("b0".to_owned(), "kept".to_owned());
+        let mut known = values.readouts.lock().expect("a map");
+        let readouts = known.get_mut(&key).expect("the readouts of the pixel");
+        readouts.insert("b0".to_owned(), "kept".to_owned());
         drop(known);
         assert_eq!(values.text("step02_sphere:300,150:b0", Notation::Prose).expect("text"), "kept");
         assert_eq!(values.text("step02_sphere:b0", Notation::Prose).expect("text"), "−10");

@@ -3,7 +3,7 @@
 use crate::comparison::{Budget, Comparison};
 use crate::number_format::{format_as_typed, with_minus};
 use crate::step_scene::StepScene;
-use course::{OwnScene, Owner, QUANTITIES, Typed};
+use course::{OwnScene, Owner, QUANTITIES, Quantity, Typed};
 
 /// Describes each change of one number of the scene that gives the reader's picture in every
 /// pixel.
@@ -21,18 +21,22 @@ pub(crate) fn find_changed_numbers(
             continue;
         };
         for (k, owner) in owner_names(scene, quantity.owner).into_iter().enumerate() {
-            let (old, count) = ((quantity.get)(&scene.own, k), quantity.numbers.len());
-            for new in all_with_one_number_changed(old, count, typed) {
-                (quantity.set)(&mut changed.own, k, new);
-                if budget
-                    .holds_for_all(&mut pixels, 1, |pixel| changed.bytes(&pixel.ray) == pixel.yours)
-                {
-                    let [new, old] =
-                        [new, old].map(|one| with_minus(&format_as_typed(&one[..count])));
-                    words.push(format!("{} of {owner} = {new} instead of {old}", quantity.name));
+            for scalar in quantity.scalars {
+                let old = scalar.get(&scene.own, k);
+                for new in typed_numbers(typed).filter(|new| *new != old) {
+                    scalar.set(&mut changed.own, k, new);
+                    let is_found = budget.holds_for_all(&mut pixels, 1, |pixel| {
+                        changed.bytes(&pixel.ray) == pixel.yours
+                    });
+                    if is_found {
+                        let [new, old] = [&changed.own, &scene.own]
+                            .map(|own| with_minus(&format_quantity(quantity, own, k)));
+                        words
+                            .push(format!("{} of {owner} = {new} instead of {old}", quantity.name));
+                    }
                 }
+                scalar.set(&mut changed.own, k, old);
             }
-            (quantity.set)(&mut changed.own, k, old);
         }
     }
     words
@@ -47,50 +51,28 @@ pub(crate) fn owner_names(scene: &StepScene, owner: Owner) -> Vec<String> {
     }
 }
 
-/// All ways to change one of these numbers to a value that somebody may have typed. If the
-/// quantity has one number, it is in all three places.
-fn all_with_one_number_changed(
-    old: [f64; 3],
-    count: usize,
+/// All numbers that somebody may have typed.
+fn typed_numbers(
     Typed { range: [start, end], steps_per_unit, .. }: Typed,
-) -> impl Iterator<Item = [f64; 3]> {
-    (0..count).flat_map(move |k| {
-        let values = start * steps_per_unit..=end * steps_per_unit;
-        let values = values.map(move |value| f64::from(value) / f64::from(steps_per_unit));
-        let typed = old[k];
-        values.filter(move |value| *value != typed).map(move |value| {
-            let mut new = if count == 1 { [value; 3] } else { old };
-            new[k] = value;
-            new
-        })
-    })
+) -> impl Iterator<Item = f64> {
+    let numerators = start * steps_per_unit..=end * steps_per_unit;
+    numerators.map(move |numerator| f64::from(numerator) / f64::from(steps_per_unit))
+}
+
+/// The numbers that a quantity has for owner k, as they are typed in Rust: `-2.5`, or `(1, -2.5, 0)`.
+pub(crate) fn format_quantity(quantity: &Quantity, own: &OwnScene, k: usize) -> String {
+    let numbers: Vec<_> = quantity.scalars.iter().map(|scalar| scalar.get(own, k)).collect();
+    format_as_typed(&numbers)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    const TYPED: Typed = Typed { since: course::Step::Rays, range: [0, 1], steps_per_unit: 2 };
-
     #[test]
-    fn one_number_is_changed_at_a_time() {
-        let changed: Vec<_> = all_with_one_number_changed([0.0, 1.0, 7.0], 3, TYPED).collect();
-        let expected = [
-            [0.5, 1.0, 7.0],
-            [1.0, 1.0, 7.0],
-            [0.0, 0.0, 7.0],
-            [0.0, 0.5, 7.0],
-            [0.0, 1.0, 0.0],
-            [0.0, 1.0, 0.5],
-            [0.0, 1.0, 1.0],
-        ];
-        assert_eq!(changed, expected);
-    }
-
-    #[test]
-    fn single_number_is_changed_in_all_places() {
-        let changed: Vec<_> = all_with_one_number_changed([0.5; 3], 1, TYPED).collect();
-        assert_eq!(changed, [[0.0; 3], [1.0; 3]]);
+    fn numbers_that_may_be_typed_are_in_range() {
+        let typed = Typed { since: course::Step::Rays, range: [0, 1], steps_per_unit: 2 };
+        assert_eq!(typed_numbers(typed).collect::<Vec<_>>(), [0.0, 0.5, 1.0]);
     }
 
     #[test]

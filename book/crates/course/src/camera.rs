@@ -9,8 +9,9 @@ pub fn camera() -> Camera {
 
 /// The rays of that camera, one through each pixel, row by row.
 pub fn primary_rays() -> impl Iterator<Item = Ray> {
+    let camera = camera();
     let pixels = (0..360).flat_map(|j| (0..640).map(move |i| (i, j)));
-    pixels.map(|(i, j)| camera().ray(i.into(), j.into()))
+    pixels.map(move |(i, j)| camera.ray(i.into(), j.into()))
 }
 
 /// The camera of the course with this number of columns and rows. Its angle is converted to radians
@@ -19,11 +20,10 @@ pub fn camera_with_size(columns: u32, rows: u32) -> Camera {
     Camera::new(columns, rows, 60_f64.to_radians())
 }
 
-/// A camera with this field of view, in degrees, and this number of columns. Its picture is 16:9.
-pub fn camera_with_fov(fov_degrees: f64, columns: f64) -> Camera {
-    let h_res = columns as u32;
+/// The camera with this field of view, in degrees, and this many columns, 16:9.
+pub fn camera_with_fov(fov_degrees: f64, columns: u32) -> Camera {
     let aspect_ratio = AspectRatio { width: 16.0, height: 9.0 };
-    Camera::new(h_res, aspect_ratio.v_res(h_res), fov_degrees.to_radians())
+    Camera::new(columns, aspect_ratio.v_res(columns), fov_degrees.to_radians())
 }
 
 /// A camera with the matrix of the slide "A Basic 3D Camera Matrix", exactly as it is written there.
@@ -34,4 +34,23 @@ pub fn slide_camera() -> Camera {
     camera.matrix.y_axis.y = -2.0 * upright;
     camera.matrix.z_axis.y = upright;
     camera
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn camera_of_the_course_has_its_size_and_angle() {
+        let (camera, wide) = (camera(), camera_with_fov(60.0, 640));
+        assert_eq!((camera.h_res, camera.v_res), (640, 360));
+        assert_eq!((camera.matrix, wide.v_res), (wide.matrix, 360));
+    }
+
+    #[test]
+    fn primary_rays_go_through_the_pixels_row_by_row() {
+        let directions: Vec<_> = primary_rays().map(|ray| ray.direction).collect();
+        assert_eq!(directions.len(), 640 * 360);
+        assert_eq!(directions[640], camera().ray(0.0, 1.0).direction);
+    }
 }

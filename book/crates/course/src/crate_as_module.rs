@@ -17,3 +17,25 @@ pub fn crate_as_module<'a>(
         text.replace(&format!("use {sibling}"), &format!("use crate{parent}::{sibling}"))
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn paths_lead_into_the_module_and_to_its_siblings() {
+        let text = "use crate::Ray;\nuse step01_rays::Camera;\nuse glam::DVec3;\n";
+        let module = crate_as_module(text, "steps::step02_sphere", ["step01_rays"]);
+        assert_eq!(
+            module,
+            "use crate::steps::step02_sphere::Ray;\nuse crate::steps::step01_rays::Camera;\n\
+             use glam::DVec3;\n"
+        );
+    }
+
+    #[test]
+    fn module_at_the_root_has_its_siblings_at_the_root() {
+        let module = crate_as_module("use step01_rays::Ray;", "step02_sphere", ["step01_rays"]);
+        assert_eq!(module, "use crate::step01_rays::Ray;");
+    }
+}

@@ -29,3 +29,33 @@ pub fn describe_difference(locked: &RgbImage, new: &RgbImage) -> Option<String> 
 pub fn largest_channel_difference(a: &Rgb<u8>, b: &Rgb<u8>) -> u8 {
     a.0.iter().zip(b.0).map(|(a, b)| a.abs_diff(b)).max().unwrap_or(0)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn difference_names_the_first_pixel_and_the_largest_difference() {
+        let locked = RgbImage::from_pixel(3, 2, Rgb([10, 20, 30]));
+        assert_eq!(describe_difference(&locked, &locked), None);
+        let mut new = locked.clone();
+        new.put_pixel(1, 0, Rgb([10, 25, 30]));
+        let text = describe_difference(&locked, &new).expect("a difference");
+        assert!(text.starts_with("1 pixel differs from the locked picture, by up to 5 of 255"));
+        assert!(text.ends_with("column 1, row 0: locked [10, 20, 30], now [10, 25, 30]"), "{text}");
+        new.put_pixel(2, 1, Rgb([0, 20, 30]));
+        let text = describe_difference(&locked, &new).expect("a difference");
+        assert!(text.starts_with("2 pixels differ from the locked picture, by up to 10"), "{text}");
+    }
+
+    #[test]
+    fn pictures_of_two_sizes_are_told_apart_by_their_sizes() {
+        let text = describe_difference(&RgbImage::new(4, 3), &RgbImage::new(2, 1));
+        assert_eq!(text.as_deref(), Some("the picture is 2×1 pixels, the locked one 4×3"));
+    }
+
+    #[test]
+    fn largest_difference_is_that_of_one_channel() {
+        assert_eq!(largest_channel_difference(&Rgb([1, 9, 3]), &Rgb([3, 2, 3])), 7);
+    }
+}

@@ -11,3 +11,15 @@ pub fn encode_png(picture: &RgbImage) -> Vec<u8> {
     picture.write_with_encoder(encoder).expect("a picture in memory can be encoded");
     png
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn file_holds_the_pixels() {
+        let picture = RgbImage::from_fn(5, 3, |i, j| image::Rgb([i as u8, j as u8, 200]));
+        let decoded = image::load_from_memory(&encode_png(&picture)).expect("a PNG file");
+        assert_eq!(decoded.into_rgb8(), picture);
+    }
+}

@@ -28,3 +28,22 @@ pub fn object<'a>(fields: impl IntoIterator<Item = (&'a str, String)>) -> String
     let fields = fields.map(|(name, value)| format!("{}:{value}", quote(name)));
     format!("{{{}}}", fields.collect::<Vec<_>>().join(","))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn text_is_quoted_and_escaped() {
+        assert_eq!(quote("a \"b\\\n\u{202e}"), r#""a \"b\\\u000a\u202e""#);
+        assert_eq!(quote("θ = 60°"), "\"θ = 60°\"");
+    }
+
+    #[test]
+    fn lists_and_objects_hold_what_is_json_already() {
+        assert_eq!(list([1.5, -2.0]), "[1.5,-2]");
+        assert_eq!(list([""; 0]), "[]");
+        let fields = [("a", list([1])), ("b \"c", quote("d"))];
+        assert_eq!(object(fields), r#"{"a":[1],"b \"c":"d"}"#);
+    }
+}

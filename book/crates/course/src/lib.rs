@@ -48,7 +48,7 @@ mod ungated_colour;
 pub use named_scene::named_scene;
 pub use own_scene::OwnScene;
 pub use scene_program::format_scene_program;
-pub use scene_quantity::{Number, Owner, QUANTITIES, Quantity, Typed};
+pub use scene_quantity::{CHANNELS, COORDINATES, Owner, QUANTITIES, Quantity, Scalar, Typed};
 pub use ungated_colour::ungated_colour;
 
 mod difference;

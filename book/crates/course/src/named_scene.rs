@@ -52,3 +52,44 @@ pub fn named_scene(name: &str) -> Scene<Material, Light> {
     scene.lights[0].point_light.diffuse = tints[choose(4)].into();
     scene
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use step05_phong::Sphere;
+
+    fn numbers(name: &str) -> Vec<f64> {
+        let Scene { objects, lights, .. } = named_scene(name);
+        let spheres = objects.iter().flat_map(|object| {
+            let centre = object.sphere.centre.to_array();
+            centre.into_iter().chain([object.sphere.radius, object.material.specular.x])
+        });
+        spheres
+            .chain(lights.iter().flat_map(|light| light.point_light.position.to_array()))
+            .collect()
+    }
+
+    #[test]
+    fn scene_depends_on_the_name_but_not_on_its_blanks() {
+        assert_eq!(numbers("Ada Lovelace"), numbers("  Ada   Lovelace "));
+        assert_ne!(numbers("Ada Lovelace"), numbers("Ada Lovelacf"));
+        assert_ne!(numbers("Ada Lovelace"), numbers("AdaLovelace"));
+    }
+
+    #[test]
+    fn spheres_are_inside_those_of_the_course() {
+        for name in ["Ada", "Grace", "Alan", "Edsger"] {
+            for (object, course) in named_scene(name).objects.iter().zip(OBJECTS) {
+                let Sphere { mut centre, radius } = object.sphere;
+                // A scene may be the mirror image.
+                centre.x = centre.x.abs() * course.sphere.centre.x.signum();
+                let distance = centre.distance(course.sphere.centre);
+                assert!(
+                    distance + radius <= course.sphere.radius + 0.01,
+                    "{name}, {}",
+                    object.name
+                );
+            }
+        }
+    }
+}

@@ -40,15 +40,15 @@ impl OwnScene {
         }
     }
 
-    /// The camera of a picture with this number of columns.
-    pub fn camera(&self, columns: f64) -> Camera {
+    /// The camera of a picture with this many columns.
+    pub fn camera(&self, columns: u32) -> Camera {
         let camera = camera_with_fov(self.fov_degrees, columns);
         look_at(&camera, self.position, self.target, self.roll_degrees.to_radians())
     }
 
-    /// Draws the picture with this number of columns. Step 5 draws it, or the example `mirror`, in
-    /// which a ray may meet ten mirrors.
-    pub fn picture(&self, columns: f64) -> RgbImage {
+    /// The picture with this many columns: by step 5, or by the example `mirror`, in which a
+    /// ray may meet ten mirrors.
+    pub fn picture(&self, columns: u32) -> RgbImage {
         let camera = self.camera(columns);
         if !self.has_mirrors {
             return render(&camera, 1, |ray| colour(&self.scene, ray));

@@ -37,3 +37,28 @@ fn difference_colour(a: &Rgb<u8>, b: &Rgb<u8>) -> Rgb<u8> {
         (false, false) => Rgb(BRIGHTER.0.map(part)),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn panels_are_the_two_pictures_and_their_difference() {
+        let [dark, bright] = [Rgb([10, 10, 10]), Rgb([20, 200, 20])];
+        let first = RgbImage::from_pixel(2, 1, bright);
+        let second = RgbImage::from_fn(1, 1, |_, _| dark);
+        let panels = draw_panels(&first, &second);
+        assert_eq!(panels.dimensions(), (6, 1));
+        let colours: Vec<_> = panels.pixels().copied().collect();
+        assert_eq!(colours[..4], [bright, bright, dark, BLACK]);
+    }
+
+    #[test]
+    fn difference_is_orange_blue_or_grey() {
+        let [dark, bright] = [Rgb([0, 0, 0]), Rgb([255, 255, 255])];
+        assert_eq!(difference_colour(&bright, &dark), BRIGHTER);
+        assert_eq!(difference_colour(&dark, &bright), DARKER);
+        let Rgb([red, green, blue]) = difference_colour(&bright, &bright);
+        assert!(red == green && green == blue && red < 60);
+    }
+}

@@ -1,5 +1,5 @@
 //! A scene as a Rust program, which the reader saves as an example of step 5: the one that
-//! Cargo compiles there, with other bodies of its functions.
+//! Cargo compiles there, with different bodies of its functions.
 
 use crate::OwnScene;
 use glam::DVec3;
@@ -28,7 +28,7 @@ pub fn format_scene_program(own: &OwnScene) -> String {
 ///
 /// # Panics
 ///
-/// Panics where the program has no such function.
+/// Panics if the program has no such function.
 fn body_range(program: &str, function: &str) -> Range<usize> {
     let start = program.find(&format!("pub fn {function}(")).expect("the function");
     let start = start + program[start..].find("{\n").expect("a body") + 2;
@@ -53,7 +53,7 @@ fn scene_body(own: &OwnScene) -> String {
     )
 }
 
-/// The camera of the program, with another field of view, or moved by the lines of `look_at`.
+/// The camera of the program: with a different field of view, or moved by the lines of `look_at`.
 fn camera_body(own: &OwnScene) -> String {
     let mut body = String::new();
     if own.fov_degrees != 60.0 {
@@ -127,4 +127,31 @@ fn array_literal(vector: DVec3) -> String {
 
 fn vector_call(DVec3 { x, y, z }: DVec3) -> String {
     format!("DVec3::new({x:?}, {y:?}, {z:?})")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const PROGRAM: &str = "pub fn one() -> f64 {\n    1.0\n}\n\npub fn two() {\n    2;\n}\n";
+
+    #[test]
+    fn body_of_a_function_is_replaced() {
+        assert_eq!(&PROGRAM[body_range(PROGRAM, "two")], "    2;");
+        let mut program = PROGRAM.to_owned();
+        replace_body(&mut program, "one", "    f64::MAX");
+        assert_eq!(program, PROGRAM.replace("1.0", "f64::MAX"));
+    }
+
+    #[test]
+    fn numbers_are_written_as_rust_reads_them() {
+        assert_eq!(array_literal(DVec3::new(1.0, -0.5, 0.0)), "[1.0, -0.5, 0.0]");
+        assert_eq!(vector_call(DVec3::X), "DVec3::new(1.0, 0.0, 0.0)");
+    }
+
+    #[test]
+    fn items_have_a_line_each() {
+        assert_eq!(lines(["a", "b"].into_iter().map(str::to_owned)).trim(), "a,\n            b,");
+        assert_eq!(lines([].into_iter()), "");
+    }
 }

@@ -1,11 +1,12 @@
-//! The one table of a scene's numbers. From it come the controls and addresses of the page
-//! "A scene of your own", and the numbers that `check` looks for.
+//! The table of a scene's numbers: what each is called, which values it may have, and where it is
+//! in a scene. The controls and addresses of the page "A scene of your own" come from it, and the
+//! numbers that `check` tries.
 
 use crate::{OwnScene, Step};
 use glam::DVec3;
-use step05_phong::{Attenuation, Matte};
+use step05_phong::Matte;
 
-/// One number of a scene or three: a radius, a position, a colour.
+/// A radius, a position, a colour: one number of a scene or three.
 pub struct Quantity {
     /// The name in a sentence, before "of" and its owner.
     pub name: &'static str,
@@ -13,16 +14,8 @@ pub struct Quantity {
     pub owner: Owner,
     /// What a reader of the steps types, if they have it.
     pub typed: Option<Typed>,
-    /// The one number or the three.
-    pub numbers: &'static [Number],
-    /// The ranges of these numbers for the ground, the largest sphere, where they differ.
-    pub ground_ranges: Option<&'static [[f64; 2]]>,
-    /// Whether it is seen only with shadows and mirrors.
-    pub needs_mirrors: bool,
-    /// Reads that of owner k, from 0; one number comes three times.
-    pub get: fn(&OwnScene, usize) -> [f64; 3],
-    /// Changes it; one number comes three times.
-    pub set: fn(&mut OwnScene, usize, [f64; 3]),
+    /// Its number, or its three numbers.
+    pub scalars: &'static [Scalar],
 }
 
 /// A kind of thing that has quantities.
@@ -39,159 +32,346 @@ pub enum Owner {
 }
 
 /// What a reader types of a quantity.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub struct Typed {
     /// The first step that has it.
     pub since: Step,
-    /// The smallest and the largest number that somebody may have typed, wrong ones too.
+    /// The smallest and the largest number that somebody may have typed, wrong ones included.
     pub range: [i32; 2],
-    /// The number of such numbers from one whole number to the next.
+    /// How many of these numbers there are from one whole number to the next.
     pub steps_per_unit: i32,
 }
 
-/// One number of a quantity, as a page has a control for it.
-pub struct Number {
+/// A single number of a scene, such as a radius or the x of a position.
+pub struct Scalar {
     /// The symbol, or nothing.
     pub symbol: &'static str,
-    /// The name in words; with that of its owner, the name in an address.
+    /// The name in words. After that of its owner, it is the name in an address.
     pub words: &'static str,
     /// The unit, such as °, or nothing.
     pub unit: &'static str,
-    /// The smallest and the largest value.
+    /// The smallest and the largest value that a page offers.
     pub range: [f64; 2],
-    /// The number of values from one whole number to the next.
+    /// The range for the ground, the largest sphere, if it differs.
+    pub ground_range: Option<[f64; 2]>,
+    /// How many values a page offers from one whole number to the next.
     pub steps_per_unit: f64,
+    /// Whether only a scene with shadows and mirrors shows it.
+    pub needs_mirrors: bool,
+    property: Property,
+    /// The axis, or the channel, of a property that has three numbers; otherwise 0.
+    axis: usize,
 }
 
-/// What a number or three of them stand for.
-trait FromNumbers {
-    fn from_numbers(numbers: [f64; 3]) -> Self;
-    fn to_numbers(&self) -> [f64; 3];
+/// What a number is of an [`OwnScene`].
+#[derive(Clone, Copy, Debug)]
+enum Property {
+    FieldOfView,
+    CameraPosition,
+    Target,
+    Roll,
+    AmbientLight,
+    Centre,
+    Radius,
+    /// R_s, which is the same in all channels.
+    ObjectSpecular,
+    Shininess,
+    /// R_d, and R_a, which is the same.
+    ObjectColour,
+    MirrorPart,
+    LightPosition,
+    LightDiffuse,
+    LightSpecular,
+    Attenuation,
 }
 
-macro_rules! from_numbers {
-    ($($type:ty: |$numbers:pat_param| $from:expr, |$value:ident| $to:expr;)*) => {$(
-        impl FromNumbers for $type {
-            fn from_numbers($numbers: [f64; 3]) -> Self { $from }
-            fn to_numbers(&self) -> [f64; 3] { let $value = self; $to }
+impl Scalar {
+    /// Its value for the owner of index `k`.
+    pub fn get(&self, own: &OwnScene, k: usize) -> f64 {
+        let (scene, axis) = (&own.scene, self.axis);
+        match self.property {
+            Property::FieldOfView => own.fov_degrees,
+            Property::CameraPosition => own.position[axis],
+            Property::Target => own.target[axis],
+            Property::Roll => own.roll_degrees,
+            Property::AmbientLight => scene.ambient_light[axis],
+            Property::Centre => scene.objects[k].sphere.centre[axis],
+            Property::Radius => scene.objects[k].sphere.radius,
+            Property::ObjectSpecular => scene.objects[k].material.specular.x,
+            Property::Shininess => scene.objects[k].material.shininess.into(),
+            Property::ObjectColour => scene.objects[k].material.matte.diffuse[axis],
+            Property::MirrorPart => own.mirror_parts[k],
+            Property::LightPosition => scene.lights[k].point_light.position[axis],
+            Property::LightDiffuse => scene.lights[k].point_light.diffuse[axis],
+            Property::LightSpecular => scene.lights[k].specular[axis],
+            Property::Attenuation => {
+                let attenuation = scene.lights[k].point_light.attenuation;
+                [attenuation.a, attenuation.b, attenuation.c][axis]
+            }
         }
-    )*};
-}
+    }
 
-from_numbers! {
-    f64: |[number, ..]| number, |number| [*number; 3];
-    i32: |[number, ..]| number as i32, |number| [f64::from(*number); 3];
-    DVec3: |numbers| numbers.into(), |vector| vector.to_array();
-    Matte: |rgb| Matte::of(rgb.into()), |matte| matte.diffuse.into();
-    Attenuation: |[a, b, c]| Attenuation { a, b, c }, |one| [one.a, one.b, one.c];
-}
-
-/// The place of a number or three in the scene of one's own.
-macro_rules! place {
-    ($own:ident, $k:ident, Camera, $field:ident) => { $own.$field };
-    ($own:ident, $k:ident, Scene, $field:ident) => { $own.scene.$field };
-    ($own:ident, $k:ident, Object, mirror_part) => { $own.mirror_parts[$k] };
-    ($own:ident, $k:ident, Object, $($field:ident).+) => { $own.scene.objects[$k].$($field).+ };
-    ($own:ident, $k:ident, Light, $($field:ident).+) => { $own.scene.lights[$k].$($field).+ };
-}
-
-/// A row of the table, whose last entry is the field of its owner.
-macro_rules! quantity {
-    ($owner:ident, $name:literal, $typed:expr, $numbers:expr, $($field:ident).+) => {
-        Quantity {
-            name: $name,
-            owner: Owner::$owner,
-            typed: $typed,
-            numbers: &$numbers,
-            ground_ranges: None,
-            needs_mirrors: false,
-            get: |own, _k| place!(own, _k, $owner, $($field).+).to_numbers(),
-            set: |own, _k, numbers| {
-                place!(own, _k, $owner, $($field).+) = FromNumbers::from_numbers(numbers);
-            },
+    /// Gives it another value for the owner of index `k`.
+    pub fn set(&self, own: &mut OwnScene, k: usize, value: f64) {
+        let (scene, axis) = (&mut own.scene, self.axis);
+        match self.property {
+            Property::FieldOfView => own.fov_degrees = value,
+            Property::CameraPosition => own.position[axis] = value,
+            Property::Target => own.target[axis] = value,
+            Property::Roll => own.roll_degrees = value,
+            Property::AmbientLight => scene.ambient_light[axis] = value,
+            Property::Centre => scene.objects[k].sphere.centre[axis] = value,
+            Property::Radius => scene.objects[k].sphere.radius = value,
+            Property::ObjectSpecular => scene.objects[k].material.specular = DVec3::splat(value),
+            Property::Shininess => scene.objects[k].material.shininess = value as i32,
+            Property::ObjectColour => {
+                let matte = &mut scene.objects[k].material.matte;
+                let mut colour = matte.diffuse;
+                colour[axis] = value;
+                *matte = Matte::of(colour);
+            }
+            Property::MirrorPart => own.mirror_parts[k] = value,
+            Property::LightPosition => scene.lights[k].point_light.position[axis] = value,
+            Property::LightDiffuse => scene.lights[k].point_light.diffuse[axis] = value,
+            Property::LightSpecular => scene.lights[k].specular[axis] = value,
+            Property::Attenuation => {
+                let attenuation = &mut scene.lights[k].point_light.attenuation;
+                let abc = [&mut attenuation.a, &mut attenuation.b, &mut attenuation.c];
+                *abc[axis] = value;
+            }
         }
-    };
+    }
 }
 
-/// All quantities of a scene, those of one owner after each other.
-pub const QUANTITIES: &[Quantity] = &[
-    quantity!(Camera, "the field of view", None, [FIELD_OF_VIEW], fov_degrees),
-    quantity!(Camera, "the position", None, POSITION_OF_CAMERA, position),
-    quantity!(Camera, "the target", None, TARGET, target),
-    quantity!(Camera, "the roll", None, [ROLL], roll_degrees),
-    quantity!(Scene, "L_a", LAMP, rgb(RGB, 1.0), ambient_light),
+/// All quantities of a scene, in the order of their controls; those of one owner follow each other.
+pub static QUANTITIES: &[Quantity] = &[
     Quantity {
-        ground_ranges: Some(&[[-20.0, 20.0], [-60.0, 0.0], [-30.0, 10.0]]),
-        ..quantity!(Object, "the position", CENTRE, xyz(XYZ, CENTRE_RANGES), sphere.centre)
+        name: "the field of view",
+        owner: Owner::Camera,
+        typed: None,
+        scalars: &[Scalar {
+            unit: "°",
+            ..scalar(Property::FieldOfView, "θ", "field of view", [1.0, 179.0], 1.0)
+        }],
     },
     Quantity {
-        ground_ranges: Some(&[[10.0, 60.0]]),
-        ..quantity!(Object, "the radius", RADIUS, [RADIUS_NUMBER], sphere.radius)
+        name: "the position",
+        owner: Owner::Camera,
+        typed: None,
+        scalars: &xyz(
+            Property::CameraPosition,
+            ["position sideways", "position upwards", "position backwards"],
+            CAMERA_RANGES,
+        ),
     },
-    quantity!(Object, "R_s", HIGHLIGHT, [REFLECTANCE], material.specular),
-    quantity!(Object, "n", typed(Step::Phong, [0, 1000], 1), [SHININESS], material.shininess),
-    quantity!(Object, "the colour", COLOUR, rgb(RGB, 1.0), material.matte),
-    Quantity { needs_mirrors: true, ..quantity!(Object, "k", None, [MIRROR_PART], mirror_part) },
-    quantity!(Light, "the position", LAMP_POSITION, xyz(XYZ, LAMP_RANGES), point_light.position),
-    quantity!(Light, "L_d", LAMP, rgb(RGB, 2.0), point_light.diffuse),
-    quantity!(Light, "L_s", HIGHLIGHT, rgb(RGB_OF_HIGHLIGHTS, 2.0), specular),
-    quantity!(Light, "(a, b, c)", FADING, FADING_NUMBERS, point_light.attenuation),
+    Quantity {
+        name: "the target",
+        owner: Owner::Camera,
+        typed: None,
+        scalars: &xyz(
+            Property::Target,
+            ["target sideways", "target upwards", "target backwards"],
+            CAMERA_RANGES,
+        ),
+    },
+    Quantity {
+        name: "the roll",
+        owner: Owner::Camera,
+        typed: None,
+        scalars: &[Scalar {
+            unit: "°",
+            ..scalar(Property::Roll, "", "roll", [-180.0, 180.0], 1.0)
+        }],
+    },
+    Quantity {
+        name: "L_a",
+        owner: Owner::Scene,
+        typed: Some(LIGHT_COLOUR),
+        scalars: &rgb(Property::AmbientLight, CHANNELS, 1.0),
+    },
+    Quantity {
+        name: "the position",
+        owner: Owner::Object,
+        typed: Some(Typed { since: Step::Sphere, range: [-50, 50], steps_per_unit: 100 }),
+        scalars: &on_ground(
+            xyz(Property::Centre, COORDINATES, [[-6.0, 6.0], [-3.0, 5.0], [-16.0, 6.0]]),
+            [[-20.0, 20.0], [-60.0, 0.0], [-30.0, 10.0]],
+        ),
+    },
+    Quantity {
+        name: "the radius",
+        owner: Owner::Object,
+        typed: Some(Typed { since: Step::Sphere, range: [0, 60], steps_per_unit: 100 }),
+        scalars: &on_ground(
+            [scalar(Property::Radius, "r", "radius", [0.05, 3.0], 100.0)],
+            [[10.0, 60.0]],
+        ),
+    },
+    Quantity {
+        name: "R_s",
+        owner: Owner::Object,
+        typed: Some(HIGHLIGHT_COLOUR),
+        scalars: &[scalar(Property::ObjectSpecular, "Rₛ", "mirrored", [0.0, 1.0], 100.0)],
+    },
+    Quantity {
+        name: "n",
+        owner: Owner::Object,
+        typed: Some(Typed { since: Step::Phong, range: [0, 1000], steps_per_unit: 1 }),
+        scalars: &[scalar(Property::Shininess, "n", "shininess", [1.0, 300.0], 1.0)],
+    },
+    Quantity {
+        name: "the colour",
+        owner: Owner::Object,
+        typed: Some(Typed { since: Step::Nearest, range: [0, 5], steps_per_unit: 100 }),
+        scalars: &rgb(Property::ObjectColour, CHANNELS, 1.0),
+    },
+    Quantity {
+        name: "k",
+        owner: Owner::Object,
+        typed: None,
+        scalars: &[Scalar {
+            needs_mirrors: true,
+            ..scalar(Property::MirrorPart, "k", "mirror image", [0.0, 1.0], 100.0)
+        }],
+    },
+    Quantity {
+        name: "the position",
+        owner: Owner::Light,
+        typed: Some(Typed { since: Step::Diffuse, range: [-20, 20], steps_per_unit: 100 }),
+        scalars: &xyz(
+            Property::LightPosition,
+            COORDINATES,
+            [[-12.0, 12.0], [-6.0, 12.0], [-20.0, 6.0]],
+        ),
+    },
+    Quantity {
+        name: "L_d",
+        owner: Owner::Light,
+        typed: Some(LIGHT_COLOUR),
+        scalars: &rgb(Property::LightDiffuse, CHANNELS, 2.0),
+    },
+    Quantity {
+        name: "L_s",
+        owner: Owner::Light,
+        typed: Some(HIGHLIGHT_COLOUR),
+        scalars: &rgb(
+            Property::LightSpecular,
+            ["red in highlights", "green in highlights", "blue in highlights"],
+            2.0,
+        ),
+    },
+    Quantity {
+        name: "(a, b, c)",
+        owner: Owner::Light,
+        typed: Some(Typed { since: Step::Diffuse, range: [0, 2], steps_per_unit: 1000 }),
+        scalars: &along_axes([
+            // It is above 0, so that a + bd + cd² is.
+            scalar(Property::Attenuation, "a", "constant fading", [0.1, 2.0], 100.0),
+            scalar(Property::Attenuation, "b", "linear fading", [0.0, 1.0], 1000.0),
+            scalar(Property::Attenuation, "c", "quadratic fading", [0.0, 1.0], 1000.0),
+        ]),
+    },
 ];
 
-const FIELD_OF_VIEW: Number =
-    Number { unit: "°", ..number("θ", "field of view", [1.0, 179.0], 1.0) };
 const CAMERA_RANGES: [[f64; 2]; 3] = [[-12.0, 12.0], [-6.0, 12.0], [-20.0, 12.0]];
-const POSITION_OF_CAMERA: [Number; 3] =
-    xyz(["position sideways", "position upwards", "position backwards"], CAMERA_RANGES);
-const TARGET: [Number; 3] =
-    xyz(["target sideways", "target upwards", "target backwards"], CAMERA_RANGES);
-const ROLL: Number = Number { unit: "°", ..number("", "roll", [-180.0, 180.0], 1.0) };
-const MIRROR_PART: Number = number("k", "mirror image", [0.0, 1.0], 100.0);
-const REFLECTANCE: Number = number("Rₛ", "mirrored", [0.0, 1.0], 100.0);
-const SHININESS: Number = number("n", "shininess", [1.0, 300.0], 1.0);
-const RADIUS_NUMBER: Number = number("r", "radius", [0.05, 3.0], 100.0);
-const CENTRE_RANGES: [[f64; 2]; 3] = [[-6.0, 6.0], [-3.0, 5.0], [-16.0, 6.0]];
-const LAMP_RANGES: [[f64; 2]; 3] = [[-12.0, 12.0], [-6.0, 12.0], [-20.0, 6.0]];
-/// The first is above 0, so that a + bd + cd² is.
-const FADING_NUMBERS: [Number; 3] = [
-    number("a", "constant fading", [0.1, 2.0], 100.0),
-    number("b", "linear fading", [0.0, 1.0], 1000.0),
-    number("c", "quadratic fading", [0.0, 1.0], 1000.0),
-];
+/// The names in words of the coordinates of an object or a light.
+pub const COORDINATES: [&str; 3] = ["sideways", "upwards", "towards you"];
 
-const XYZ: [&str; 3] = ["sideways", "upwards", "towards you"];
-const RGB: [&str; 3] = ["red", "green", "blue"];
-const RGB_OF_HIGHLIGHTS: [&str; 3] =
-    ["red in highlights", "green in highlights", "blue in highlights"];
+/// The names in words of the channels of a colour.
+pub const CHANNELS: [&str; 3] = ["red", "green", "blue"];
 
-const CENTRE: Option<Typed> = typed(Step::Sphere, [-50, 50], 100);
-const RADIUS: Option<Typed> = typed(Step::Sphere, [0, 60], 100);
-const COLOUR: Option<Typed> = typed(Step::Nearest, [0, 5], 100);
-const LAMP_POSITION: Option<Typed> = typed(Step::Diffuse, [-20, 20], 100);
-const LAMP: Option<Typed> = typed(Step::Diffuse, [0, 5], 100);
-const FADING: Option<Typed> = typed(Step::Diffuse, [0, 2], 1000);
-const HIGHLIGHT: Option<Typed> = typed(Step::Phong, [0, 5], 100);
+const LIGHT_COLOUR: Typed = Typed { since: Step::Diffuse, range: [0, 5], steps_per_unit: 100 };
+const HIGHLIGHT_COLOUR: Typed = Typed { since: Step::Phong, range: [0, 5], steps_per_unit: 100 };
 
-const fn typed(since: Step, range: [i32; 2], steps_per_unit: i32) -> Option<Typed> {
-    Some(Typed { since, range, steps_per_unit })
-}
-
-const fn number(
+const fn scalar(
+    property: Property,
     symbol: &'static str,
     words: &'static str,
     range: [f64; 2],
     steps_per_unit: f64,
-) -> Number {
-    Number { symbol, words, unit: "", range, steps_per_unit }
+) -> Scalar {
+    Scalar {
+        symbol,
+        words,
+        unit: "",
+        range,
+        ground_range: None,
+        steps_per_unit,
+        needs_mirrors: false,
+        property,
+        axis: 0,
+    }
 }
 
 /// The three coordinates of a position, in hundredths.
-const fn xyz([right, up, back]: [&'static str; 3], [x, y, z]: [[f64; 2]; 3]) -> [Number; 3] {
-    [number("x", right, x, 100.0), number("y", up, y, 100.0), number("z", back, z, 100.0)]
+const fn xyz(
+    property: Property,
+    [right, up, back]: [&'static str; 3],
+    ranges: [[f64; 2]; 3],
+) -> [Scalar; 3] {
+    let [x, y, z] = ranges;
+    along_axes([
+        scalar(property, "x", right, x, 100.0),
+        scalar(property, "y", up, y, 100.0),
+        scalar(property, "z", back, z, 100.0),
+    ])
 }
 
 /// The three channels of a colour, each from 0 to `max`, in hundredths.
-const fn rgb([red, green, blue]: [&'static str; 3], max: f64) -> [Number; 3] {
+const fn rgb(property: Property, [red, green, blue]: [&'static str; 3], max: f64) -> [Scalar; 3] {
     let range = [0.0, max];
-    [number("", red, range, 100.0), number("", green, range, 100.0), number("", blue, range, 100.0)]
+    along_axes([
+        scalar(property, "", red, range, 100.0),
+        scalar(property, "", green, range, 100.0),
+        scalar(property, "", blue, range, 100.0),
+    ])
+}
+
+/// The three numbers of a property, one for each axis.
+const fn along_axes([x, y, z]: [Scalar; 3]) -> [Scalar; 3] {
+    [x, Scalar { axis: 1, ..y }, Scalar { axis: 2, ..z }]
+}
+
+/// These numbers with other ranges for the ground.
+const fn on_ground<const N: usize>(mut scalars: [Scalar; N], ranges: [[f64; 2]; N]) -> [Scalar; N] {
+    let mut k = 0;
+    while k < N {
+        scalars[k].ground_range = Some(ranges[k]);
+        k += 1;
+    }
+    scalars
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use step05_phong::scene;
+
+    fn all_scalars() -> impl Iterator<Item = &'static Scalar> {
+        QUANTITIES.iter().flat_map(|quantity| quantity.scalars)
+    }
+
+    #[test]
+    fn number_that_is_set_is_read_again_and_no_other_changes() {
+        for scalar in all_scalars() {
+            let mut own = OwnScene::new(scene());
+            let mut expected: Vec<_> = all_scalars().map(|one| one.get(&own, 1)).collect();
+            let [min, max] = scalar.range;
+            let value = if scalar.get(&own, 1) == min { max } else { min };
+            scalar.set(&mut own, 1, value);
+            let index = all_scalars().position(|one| std::ptr::eq(one, scalar)).expect("a row");
+            expected[index] = value;
+            let values: Vec<_> = all_scalars().map(|one| one.get(&own, 1)).collect();
+            assert_eq!(values, expected, "{}", scalar.words);
+        }
+    }
+
+    #[test]
+    fn colour_of_an_object_reflects_both_kinds_of_light() {
+        let mut own = OwnScene::new(scene());
+        let red = all_scalars().find(|scalar| matches!(scalar.property, Property::ObjectColour));
+        red.expect("a channel").set(&mut own, 0, 0.125);
+        let matte = own.scene.objects[0].material.matte;
+        assert_eq!((matte.ambient.x, matte.diffuse.x), (0.125, 0.125));
+    }
 }

@@ -39,3 +39,17 @@ impl Step {
         Self::ALL.into_iter().find(|step| step.name() == name)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn step_is_found_by_its_name() {
+        for (number, step) in (1..).zip(Step::ALL) {
+            assert_eq!((step.number(), Step::from_name(step.name())), (number, Some(step)));
+            assert!(step.name().starts_with(&format!("step0{number}_")));
+        }
+        assert_eq!(Step::from_name("step06_way_back"), None);
+    }
+}

@@ -9,3 +9,18 @@ pub fn is_obeyed_by_terminals(c: char) -> bool {
     );
     c.is_control() || changes_direction
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn controls_and_changes_of_direction_are_obeyed() {
+        for c in ['\u{1b}', '\n', '\u{9b}', '\u{202e}', '\u{2066}'] {
+            assert!(is_obeyed_by_terminals(c), "{c:?}");
+        }
+        for c in ['a', 'é', 'θ', '−', '×', ' '] {
+            assert!(!is_obeyed_by_terminals(c), "{c:?}");
+        }
+    }
+}

@@ -1,3 +1,5 @@
+//! A drawing in SVG.
+
 use crate::View;
 use crate::text_markup::{escape, symbol_spans};
 use glam::DVec2;
@@ -44,8 +46,8 @@ impl Drawing {
     /// A circle.
     pub fn circle(&mut self, class: &str, centre: DVec2, radius: f64) {
         let DVec2 { x, y } = centre;
-        let place = format!(r#"cx="{x:.2}" cy="{y:.2}" r="{radius:.2}""#);
-        self.body += &format!(r#"<circle class="{class}" {place}></circle>"#);
+        let position = format!(r#"cx="{x:.2}" cy="{y:.2}" r="{radius:.2}""#);
+        self.body += &format!(r#"<circle class="{class}" {position}></circle>"#);
     }
 
     /// A small filled circle, which marks a point.
@@ -69,12 +71,12 @@ impl Drawing {
         self.path(class, (0..=24).map(|k| view.to_drawing(DVec2::from_angle(angle(k)))));
     }
 
-    /// A text with its middle at a place; with the class `start` it begins there, with `end` it
+    /// A text with its middle at a position; with the class `start` it begins there, with `end` it
     /// ends there. Symbols are between dollar signs: `$V_0$` is a V with a 0 below the line.
-    pub fn label(&mut self, class: &str, place: DVec2, text: &str) {
+    pub fn label(&mut self, class: &str, position: DVec2, text: &str) {
         let parts = text.split('$').zip([escape, symbol_spans].into_iter().cycle());
         let spans: String = parts.map(|(part, spans)| spans(part)).collect();
-        let DVec2 { x, y } = place;
+        let DVec2 { x, y } = position;
         self.body += &format!(r#"<text class="{class}" x="{x:.1}" y="{y:.1}">{spans}</text>"#);
     }
 
@@ -97,4 +99,28 @@ impl Drawing {
 fn commands(points: impl IntoIterator<Item = DVec2>) -> String {
     let pairs = points.into_iter().map(|DVec2 { x, y }| format!("{x:.2} {y:.2}"));
     format!("M{}", pairs.collect::<Vec<_>>().join("L"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn text_between_dollar_signs_is_a_symbol() {
+        let mut drawing = Drawing::new(100.0);
+        drawing.label("quiet", DVec2::ZERO, "$t$ < 2");
+        let spans = "<tspan class=\"math\">𝑡</tspan> &lt; 2";
+        assert_eq!(
+            drawing.svg_elements(),
+            format!("<text class=\"quiet\" x=\"0.0\" y=\"0.0\">{spans}</text>")
+        );
+    }
+
+    #[test]
+    fn drawing_has_its_title_and_its_height() {
+        let html = Drawing::new(100.0).html("a & b");
+        assert!(
+            html.contains("viewBox=\"0 0 480 100\"") && html.contains("<title>a &amp; b</title>")
+        );
+    }
 }

@@ -1,97 +1,124 @@
-use crate::{Drawing, Handle, Mark, Parameter};
+//! A figure: its content, what the reader sets of it, and what it reads out.
+
+use crate::{Drawing, Handle, Mark, Parameter, ParameterId, ParameterValues};
 use glam::DVec2;
 use image::RgbImage;
 use std::collections::BTreeMap;
 
-/// A drawing, or the pixels of a picture.
-pub enum Output {
-    /// Lines and labels.
-    Drawing(Drawing),
-    /// Pixels.
-    Pixels(RgbImage),
-}
-
-/// Numbers by name, formatted for the page; some are vectors or words.
-pub type Numbers = BTreeMap<String, String>;
-
-/// Numbers with these names.
-pub fn collect_numbers<const N: usize>(numbers: [(&str, String); N]) -> Numbers {
-    numbers.map(|(name, text)| (name.into(), text)).into()
-}
-
-/// A figure or a picture as a page asks for it: by a name, and numbers without names.
+/// A drawing or a picture that a page can change.
 pub struct Figure {
     /// The name in chapters and requests.
     pub name: &'static str,
-    /// The title of a figure, for those who can't see it; empty for a picture, whose chapter
-    /// has it.
-    pub title: &'static str,
-    /// The caption of a figure; Markdown, with formulas.
-    pub caption: &'static str,
+    /// What is shown.
+    pub content: Content,
     /// The figure whose values this one takes, instead of having controls.
     pub followed: Option<&'static str>,
     /// The numbers that the reader sets.
     pub parameters: Vec<Parameter>,
     /// The marks that the reader drags.
     pub handles: Vec<Handle>,
-    /// The drawing or the pixels at these values.
-    pub draw: fn(&[f64]) -> Output,
-    /// The numbers in the text that depend on these values.
-    pub numbers: fn(&[f64]) -> Numbers,
-    /// The group of the object that is seen at a place, at these values.
-    pub group_at: fn(&[f64], DVec2) -> Option<&'static str>,
-    /// Whether there is something to draw at these values.
-    pub is_allowed: fn(&[f64]) -> bool,
+    /// The texts elsewhere on the page that depend on these values.
+    pub readouts: fn(&ParameterValues) -> Readouts,
+    /// What only a scene of the reader's own has.
+    pub editable_scene: Option<EditableScene>,
+    /// Whether there is something to show at these values.
+    pub is_allowed: fn(&ParameterValues) -> bool,
+}
+
+/// What a figure shows at given values.
+pub enum Content {
+    /// Lines and labels.
+    Drawing {
+        /// The title, for those who can't see the drawing.
+        title: &'static str,
+        /// The caption, in Markdown with formulas.
+        caption: &'static str,
+        /// Draws it.
+        draw: fn(&ParameterValues) -> Drawing,
+    },
+    /// Pixels, whose description and caption are in their chapter.
+    Picture {
+        /// Draws it with at most this many columns.
+        draw: fn(&ParameterValues, u32) -> RgbImage,
+    },
+}
+
+/// Texts by name: numbers and vectors, formatted for the page, and some words.
+pub type Readouts = BTreeMap<String, String>;
+
+/// Readouts with these names.
+pub fn collect_readouts<const N: usize>(texts: [(&str, String); N]) -> Readouts {
+    texts.map(|(name, text)| (name.into(), text)).into()
+}
+
+/// A scene of which the reader sets everything. Its parameters belong to objects, and the page has
+/// the controls of one object at a time.
+pub struct EditableScene {
+    /// The Rust program that draws it.
+    pub program: fn(&ParameterValues) -> String,
+    /// The object that is seen at a position.
+    pub object_at: fn(&ParameterValues, DVec2) -> Option<&'static str>,
+    /// The objects that have a colour, and the parameters of its three channels.
+    pub colours: Vec<(&'static str, [ParameterId; 3])>,
 }
 
 impl Figure {
-    /// One of a name and what it draws; its other fields are empty.
-    pub(crate) fn new(name: &'static str, draw: fn(&[f64]) -> Output) -> Self {
+    /// A figure that shows this, and nothing else.
+    pub(crate) fn new(name: &'static str, content: Content) -> Self {
         Self {
             name,
-            title: "",
-            caption: "",
+            content,
             followed: None,
             parameters: vec![],
             handles: vec![],
-            draw,
-            numbers: |_| Numbers::new(),
-            group_at: |_, _| None,
+            readouts: |_| Readouts::new(),
+            editable_scene: None,
             is_allowed: |_| true,
         }
     }
 
     /// The value of each parameter in the printed book.
-    pub fn default_values(&self) -> Vec<f64> {
-        self.parameters.iter().map(|parameter| parameter.default).collect()
+    pub fn default_values(&self) -> ParameterValues {
+        self.parameters.iter().map(|parameter| (parameter.id, parameter.default)).collect()
     }
 
-    /// The drawing or the pixels in the printed book.
-    pub fn default_output(&self) -> Output {
-        (self.draw)(&self.default_values())
+    /// The handle that is a probe, if there is one.
+    pub fn probe(&self) -> Option<&Handle> {
+        self.handles.iter().find(|handle| handle.mark == Mark::Probe)
     }
 
-    /// Whether a handle is a probe.
-    pub fn has_probe(&self) -> bool {
-        self.handles.iter().any(|handle| handle.mark == Mark::Probe)
+    /// The default values with the probe at the pixel (i, j). None if there is no probe, or no such
+    /// pixel.
+    pub fn values_at_pixel(&self, [i, j]: [f64; 2]) -> Option<ParameterValues> {
+        let probe = self.probe()?;
+        let mut values = self.default_values();
+        values.set(probe.horizontal, i);
+        values.set(probe.vertical, j);
+        let allowed = self.snap_if_allowed(&values)?;
+        (allowed == values).then_some(values)
     }
 
-    /// The values after a handle was dragged to a place; None if nothing is allowed
-    /// there.
-    pub fn drag_handle(&self, values: &[f64], handle: &Handle, place: DVec2) -> Option<Vec<f64>> {
-        let mut new = values.to_vec();
-        let [first, second] = handle.parameters;
-        [new[first], new[second]] = (handle.coordinates_at)(values, place).to_array();
+    /// The values after a handle was dragged to a position; None if nothing is allowed there.
+    pub fn drag_handle(
+        &self,
+        values: &ParameterValues,
+        handle: &Handle,
+        position: DVec2,
+    ) -> Option<ParameterValues> {
+        let DVec2 { x, y } = (handle.coordinates_at)(values, position);
+        let mut new = values.clone();
+        new.set(handle.horizontal, x);
+        new.set(handle.vertical, y);
         self.snap_if_allowed(&new)
     }
 
-    /// The allowed values that are nearest to these; None if there is nothing to draw.
-    pub fn snap_if_allowed(&self, values: &[f64]) -> Option<Vec<f64>> {
-        let is_complete =
-            values.len() == self.parameters.len() && values.iter().all(|value| value.is_finite());
-        let pairs = self.parameters.iter().zip(values);
-        let values: Vec<_> =
-            pairs.map(|(parameter, value)| parameter.nearest_allowed(*value)).collect();
-        (is_complete && (self.is_allowed)(&values)).then_some(values)
+    /// The allowed values that are nearest to these; None if there is nothing to show.
+    pub fn snap_if_allowed(&self, values: &ParameterValues) -> Option<ParameterValues> {
+        let allowed = self
+            .parameters
+            .iter()
+            .map(|parameter| (parameter.id, parameter.nearest_allowed(values[parameter.id])));
+        let allowed = allowed.collect();
+        (values.are_finite() && (self.is_allowed)(&allowed)).then_some(allowed)
     }
 }

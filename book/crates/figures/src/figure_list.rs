@@ -1,9 +1,11 @@
+//! The list of all figures.
+
 use crate::figures::*;
 use crate::pictures::*;
 use crate::{Figure, own_scene};
 use std::sync::LazyLock;
 
-/// Every figure and every picture, in the order of the book.
+/// Every figure: the drawings, then the pictures, each in the order of the book.
 pub static FIGURES: LazyLock<Vec<Figure>> = LazyLock::new(|| {
     vec![
         ray::figure(),
@@ -31,7 +33,44 @@ pub static FIGURES: LazyLock<Vec<Figure>> = LazyLock::new(|| {
     ]
 });
 
-/// The figure or picture of this name.
+/// The figure of this name.
 pub fn find(name: &str) -> Option<&'static Figure> {
     FIGURES.iter().find(|figure| figure.name == name)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::HashSet;
+
+    #[test]
+    fn names_of_figures_and_of_their_parameters_are_unique() {
+        let mut names = HashSet::new();
+        for figure in FIGURES.iter() {
+            assert!(names.insert(figure.name), "{}", figure.name);
+            let mut ids = HashSet::new();
+            for parameter in &figure.parameters {
+                let id = parameter.id.to_string();
+                assert!(!id.contains([' ', ',', ':']), "{id}");
+                assert!(ids.insert(id.clone()), "{}: {id}", figure.name);
+            }
+        }
+    }
+
+    #[test]
+    fn handles_set_parameters_of_their_figure() {
+        for figure in FIGURES.iter() {
+            let values = figure.default_values();
+            for handle in &figure.handles {
+                let ids =
+                    [Some(handle.horizontal), Some(handle.vertical), handle.depth, handle.presence];
+                // Reading a value panics if there is no such parameter.
+                assert!(
+                    ids.into_iter().flatten().all(|id| values[id].is_finite()),
+                    "{}",
+                    figure.name
+                );
+            }
+        }
+    }
 }

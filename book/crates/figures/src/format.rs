@@ -7,7 +7,7 @@ pub fn format_number(number: f64) -> String {
     if text == "-0" { "0".to_string() } else { text.replace('-', "−") }
 }
 
-/// At most so many digits after the point, up to four.
+/// At most this many digits after the point, up to four.
 pub fn format_rounded(number: f64, digits: i32) -> String {
     let power = 10_f64.powi(digits);
     format_number((number * power).round() / power)
@@ -27,7 +27,36 @@ pub fn format_vector(vector: impl Into<[f64; 3]>) -> String {
 /// A count, with a comma between thousands.
 pub fn format_count(count: usize) -> String {
     let digits = count.to_string();
-    let has_comma = |k: usize| 0 < k && (digits.len() - k).is_multiple_of(3);
+    let has_comma = |k: usize| k > 0 && (digits.len() - k).is_multiple_of(3);
     let digits = digits.char_indices();
     digits.map(|(k, digit)| format!("{}{digit}", if has_comma(k) { "," } else { "" })).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_have_four_digits_at_most_and_a_minus_sign() {
+        for (number, text) in
+            [(1.0, "1"), (0.25, "0.25"), (-2.5, "−2.5"), (-0.00001, "0"), (1.0 / 3.0, "0.3333")]
+        {
+            assert_eq!(format_number(number), text);
+        }
+        assert_eq!(format_rounded(2.346, 2), "2.35");
+        assert_eq!(format_rounded(-0.04, 1), "0");
+        assert_eq!(format_vector([1.0, -0.5, 0.0]), "(1, −0.5, 0)");
+    }
+
+    #[test]
+    fn count_has_a_comma_between_thousands() {
+        for (count, text) in [(0, "0"), (999, "999"), (1000, "1,000"), (2_073_600, "2,073,600")] {
+            assert_eq!(format_count(count), text);
+        }
+    }
+
+    #[test]
+    fn sphere_is_called_by_its_colour() {
+        assert_eq!([short_name("red sphere"), short_name("ground")], ["red", "ground"]);
+    }
 }

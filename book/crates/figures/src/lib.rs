@@ -1,12 +1,14 @@
-//! The interactive figures and pictures of the book: a figure is a function from its
-//! parameters to a drawing, a picture one from scene and camera to pixels, by the steps'
-//! own code.
+//! The interactive figures of the book, drawn by the steps' own code.
 //!
-//! The builder prints what these functions give at the defaults. The page calls them,
-//! compiled for the browser, when its reader moves something. Nothing here knows of the
-//! book. Each is a [`Figure`]. Its *values* are those of all its parameters, in their order,
-//! as they come from the page, without names. The *trace* of a picture's pixel is every number
-//! from its ray to its bytes.
+//! A [`Figure`] shows a *drawing* of lines and labels, or a *picture* of pixels; each is a function
+//! of its *parameters*, which have names, and of their values. The builder prints what the
+//! function gives at the defaults. The page calls the same function, compiled for the browser, when
+//! its reader moves a *handle* or a control: it sends a request, and [`reply`] has the answer.
+//!
+//! *Readouts* are texts elsewhere on the page that depend on the values. The *trace* of a pixel is
+//! all the numbers from its ray to its bytes; a *probe* is the handle that chooses the pixel.
+//!
+//! Nothing here knows of the book.
 
 mod format;
 pub use format::{format_count, short_name};
@@ -22,20 +24,23 @@ use view::{View, direction_left_of_up};
 mod figure;
 mod handle;
 mod parameter;
+mod parameter_values;
 mod probe;
-use figure::collect_numbers;
-pub use figure::{Figure, Numbers, Output};
+use figure::collect_readouts;
+pub use figure::{Content, EditableScene, Figure, Readouts};
 pub use handle::{Handle, Mark};
-use parameter::array;
-pub use parameter::{ControlKind, Parameter};
+pub use parameter::{Axis, Parameter, ParameterKind};
+pub use parameter_values::{ParameterId, ParameterValues, PointId};
 
 mod figures;
 mod own_scene;
 mod pictures;
-pub use own_scene::parse_address;
 pub use pictures::discriminant;
 
 mod figure_list;
-mod reply;
 pub use figure_list::{FIGURES, find};
-pub use reply::{Reply, reply, rgba_bytes};
+
+mod address;
+mod reply;
+pub use address::{AddressError, format_address, parse_address, parse_values};
+pub use reply::{COLUMNS, Reply, RequestError, reply, rgba_bytes};

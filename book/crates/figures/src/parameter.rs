@@ -1,79 +1,141 @@
-use crate::format_number;
+//! A number that the reader sets.
+
+use crate::format::format_number;
+use crate::{ParameterId, ParameterValues, PointId};
 
 /// A number that the reader sets, by a control below a figure or by a handle in it.
+///
+/// All that a page knows of it comes from here: the builder prints its control, and the reply to
+/// `about` has the rest.
 #[derive(Clone)]
 pub struct Parameter {
-    /// The symbol, in the letters of the formulas; empty if there is none.
+    /// The name by which its value is read.
+    pub id: ParameterId,
+    /// The symbol, in the letters of the formulas, or nothing.
     pub symbol: &'static str,
-    /// The name in words; empty if it is called by its handle.
+    /// The name in words, which follows the symbol.
     pub words: String,
+    /// The unit, such as °, or nothing.
+    pub unit: &'static str,
     /// The default value, with which the book is printed.
     pub default: f64,
     /// The smallest and the largest value.
     pub range: [f64; 2],
     /// The number of allowed values from one whole number to the next.
     pub steps_per_unit: f64,
-    /// The kind of control, and with it the meaning of the value.
-    pub control: ControlKind,
-    /// The object that it belongs to, where a page has the controls of one object at a
-    /// time; otherwise empty.
-    pub group: &'static str,
+    /// What the value means, and with it the kind of control.
+    pub kind: ParameterKind,
+    /// Where a handle moves when the value grows. None if it isn't a coordinate.
+    pub axis: Option<Axis>,
     /// Whether, at these values of all parameters, the page has a control for this one.
-    pub has_control: fn(&Self, &[f64]) -> bool,
+    pub has_control: fn(&Self, &ParameterValues) -> bool,
 }
 
-/// The kind of control that sets a parameter.
+/// What the value of a parameter means.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum ControlKind {
-    /// A number in this unit, such as °.
-    Number(&'static str),
-    /// One of these names, by its place in the list.
+pub enum ParameterKind {
+    /// A number.
+    Number,
+    /// One of these names, by its index.
     Choice(&'static [&'static str]),
     /// 1 for on, 0 for off.
     Switch,
-    /// The columns of a picture. It has no control: a page draws all, or fewer while
-    /// something moves; a test draws fewer.
-    Columns,
+}
+
+/// A direction in a drawing or a picture.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Axis {
+    /// To the right.
+    Right,
+    /// Upwards, as y in a drawing.
+    Up,
+    /// Downwards, as the rows of a picture.
+    Down,
+}
+
+impl Axis {
+    /// The name in a reply.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Right => "right",
+            Self::Up => "up",
+            Self::Down => "down",
+        }
+    }
 }
 
 impl Parameter {
-    /// A number with a symbol, words and a unit.
-    pub fn new(
-        [symbol, words, unit]: [&'static str; 3],
+    /// A number, without a symbol and a unit.
+    pub fn number(
+        id: ParameterId,
+        words: impl Into<String>,
         default: f64,
         range: [f64; 2],
         steps_per_unit: f64,
     ) -> Self {
         Self {
-            symbol,
+            id,
+            symbol: "",
             words: words.into(),
+            unit: "",
             default,
             range,
             steps_per_unit,
-            control: ControlKind::Number(unit),
-            group: "",
+            kind: ParameterKind::Number,
+            axis: None,
             has_control: |_, _| true,
         }
     }
 
-    /// The x and y of a point that a handle sets, without words.
-    pub fn point([x, y]: [f64; 2], ranges: [[f64; 2]; 2], steps_per_unit: f64) -> [Self; 2] {
-        let [x_range, y_range] = ranges;
-        [(x, x_range), (y, y_range)]
-            .map(|(default, range)| Self::new([""; 3], default, range, steps_per_unit))
+    /// The parameter with this symbol.
+    pub fn with_symbol(self, symbol: &'static str) -> Self {
+        Self { symbol, ..self }
+    }
+
+    /// The parameter with this unit.
+    pub fn with_unit(self, unit: &'static str) -> Self {
+        Self { unit, ..self }
+    }
+
+    /// The parameter as a coordinate along this axis.
+    pub fn with_axis(self, axis: Axis) -> Self {
+        Self { axis: Some(axis), ..self }
+    }
+
+    /// The x and the y of a point.
+    pub fn point(
+        id: PointId,
+        [x, y]: [f64; 2],
+        [x_range, y_range]: [[f64; 2]; 2],
+        steps_per_unit: f64,
+    ) -> [Self; 2] {
+        let words = format!("of {}", id.0);
+        let x = Self::number(id.x(), &*words, x, x_range, steps_per_unit);
+        let y = Self::number(id.y(), words, y, y_range, steps_per_unit);
+        [x.with_symbol("x").with_axis(Axis::Right), y.with_symbol("y").with_axis(Axis::Up)]
     }
 
     /// One of several names.
-    pub fn choice(words: &'static str, default: f64, names: &'static [&'static str]) -> Self {
+    pub fn choice(
+        id: ParameterId,
+        words: &'static str,
+        default: f64,
+        names: &'static [&'static str],
+    ) -> Self {
         let range = [0.0, (names.len() - 1) as f64];
-        let control = ControlKind::Choice(names);
-        Self { control, ..Self::new(["", words, ""], default, range, 1.0) }
+        let kind = ParameterKind::Choice(names);
+        Self { kind, ..Self::number(id, words, default, range, 1.0) }
     }
 
     /// A switch.
-    pub fn switch(words: &'static str, is_on: bool) -> Self {
-        let number = Self::new(["", words, ""], is_on.into(), [0.0, 1.0], 1.0);
-        Self { control: ControlKind::Switch, ..number }
+    pub fn switch(id: ParameterId, words: &'static str, is_on: bool) -> Self {
+        let number = Self::number(id, words, is_on.into(), [0.0, 1.0], 1.0);
+        Self { kind: ParameterKind::Switch, ..number }
+    }
+
+    /// The difference between two neighbouring allowed values.
+    pub fn step(&self) -> f64 {
+        1.0 / self.steps_per_unit
     }
 
     /// The allowed value that is nearest to `value`.
@@ -86,17 +148,34 @@ impl Parameter {
 
     /// A value as the page writes it.
     pub fn format(&self, value: f64) -> String {
-        match self.control {
-            ControlKind::Number(unit) => format_number(value) + unit,
-            ControlKind::Columns => format_number(value),
-            ControlKind::Choice(names) => names[value as usize].to_string(),
-            ControlKind::Switch => if value == 1.0 { "on" } else { "off" }.to_string(),
+        match self.kind {
+            ParameterKind::Number => format_number(value) + self.unit,
+            ParameterKind::Choice(names) => names[value as usize].to_string(),
+            ParameterKind::Switch => if value == 1.0 { "on" } else { "off" }.to_string(),
         }
     }
 }
 
-/// The values of N parameters, to be named one by one; a request with another number of
-/// values got an error before.
-pub fn array<const N: usize>(values: &[f64]) -> [f64; N] {
-    values.try_into().expect("a value for each parameter")
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const ID: ParameterId = ParameterId::new("id");
+
+    #[test]
+    fn nearest_allowed_value_is_a_step_within_the_range() {
+        let parameter = Parameter::number(ID, "", 0.0, [-1.0, 2.0], 4.0);
+        for (value, allowed) in [(0.3, 0.25), (-7.0, -1.0), (2.1, 2.0), (1.0, 1.0)] {
+            assert_eq!(parameter.nearest_allowed(value), allowed, "{value}");
+        }
+        assert!(parameter.nearest_allowed(-0.1).is_sign_positive());
+    }
+
+    #[test]
+    fn value_is_formatted_by_its_kind() {
+        let angle = Parameter::number(ID, "angle", 0.0, [-90.0, 90.0], 1.0).with_unit("°");
+        assert_eq!(angle.format(-30.0), "−30°");
+        assert_eq!(Parameter::choice(ID, "side", 0.0, &["left", "right"]).format(1.0), "right");
+        assert_eq!(Parameter::switch(ID, "light", true).format(0.0), "off");
+    }
 }

@@ -1,47 +1,46 @@
-//! The probe of a picture, a cross at the pixel whose trace is told. The first values of such a
-//! picture are the column and the row of that pixel, and the columns of the picture.
+//! The probe of a picture: a cross at the pixel whose trace is read out.
 
-use crate::{ControlKind, Figure, Handle, Mark, Output, Parameter, View};
+use crate::parameter::Axis;
+use crate::{Content, Figure, Handle, Mark, Parameter, ParameterId, ParameterValues};
 use glam::{DVec2, DVec3, dvec2};
+use image::RgbImage;
 use step01_rays::{Ray, render};
 
 /// Columns and rows of the pictures of the course.
 pub const SIZE: DVec2 = dvec2(640.0, 360.0);
 
-/// The picture of the course with a probe, at first at the pixel (i, j), and with the parameters
-/// that are set besides.
+/// The column and the row of the probe's pixel.
+pub const I: ParameterId = ParameterId::new("i");
+pub const J: ParameterId = ParameterId::new("j");
+
+/// A picture of the course with a probe, which is at the pixel (i, j) by default, and with these
+/// other parameters.
 pub fn probed_picture(
     name: &'static str,
     [i, j]: [f64; 2],
-    others: Vec<Parameter>,
-    draw: fn(&[f64]) -> Output,
+    others: impl IntoIterator<Item = Parameter>,
+    draw: fn(&ParameterValues, u32) -> RgbImage,
 ) -> Figure {
-    let mut parameters = vec![
-        Parameter::new(["i", "column", ""], i, [0.0, SIZE.x - 1.0], 1.0),
-        Parameter::new(["j", "row", ""], j, [0.0, SIZE.y - 1.0], 1.0),
-        columns_parameter(),
-    ];
-    parameters.extend(others);
-    // The middle of a pixel.
-    let view = View { origin: DVec2::splat(0.5), scale: dvec2(1.0, -1.0) };
-    let handle = Handle::of_point("the pixel that you ask", 0, view);
-    let handles = vec![Handle { mark: Mark::Probe, ..handle }];
-    Figure { parameters, handles, ..Figure::new(name, draw) }
+    let i = Parameter::number(I, "column", i, [0.0, SIZE.x - 1.0], 1.0);
+    let j = Parameter::number(J, "row", j, [0.0, SIZE.y - 1.0], 1.0);
+    let own = [i.with_symbol("i").with_axis(Axis::Right), j.with_symbol("j").with_axis(Axis::Down)];
+    // A handle is at the middle of its pixel.
+    let locate = |values: &ParameterValues| Some(dvec2(values[I], values[J]) + 0.5);
+    let handle =
+        Handle::new("the pixel that you ask", [I, J], locate, |_, position| position - 0.5);
+    Figure {
+        parameters: own.into_iter().chain(others).collect(),
+        handles: vec![Handle { mark: Mark::Probe, ..handle }],
+        ..Figure::new(name, Content::Picture { draw })
+    }
 }
 
 /// The ray of the probe's pixel.
-pub fn probe_ray(values: &[f64]) -> Ray {
-    course::camera().ray(values[0], values[1])
+pub fn probe_ray(values: &ParameterValues) -> Ray {
+    course::camera().ray(values[I], values[J])
 }
 
-/// The picture in these colours, with the columns of these values.
-pub fn draw_picture(values: &[f64], colour: impl Fn(&Ray) -> DVec3 + Sync) -> Output {
-    Output::Pixels(render(&course::camera_with_fov(60.0, values[2]), 1, colour))
-}
-
-/// The columns of a picture, without a control.
-pub fn columns_parameter() -> Parameter {
-    let range = [2.0, SIZE.x];
-    let parameter = Parameter::new(["hRes", "columns", ""], SIZE.x, range, 1.0);
-    Parameter { control: ControlKind::Columns, has_control: |_, _| false, ..parameter }
+/// The picture in these colours, as the camera of the course sees it.
+pub fn draw_picture(columns: u32, colour: impl Fn(&Ray) -> DVec3 + Sync) -> RgbImage {
+    render(&course::camera_with_fov(60.0, columns), 1, colour)
 }

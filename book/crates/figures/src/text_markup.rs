@@ -1,3 +1,5 @@
+//! Texts as HTML and SVG: symbols in the letters of the formulas, and escapes.
+
 /// A symbol in the letters of the formulas: `_` puts the next one below the line.
 pub fn symbol_spans(text: &str) -> String {
     let mut spans = String::from(r#"<tspan class="math">"#);
@@ -15,8 +17,8 @@ pub fn symbol_spans(text: &str) -> String {
     spans + "</tspan>"
 }
 
-/// The italic letter of mathematics for a Latin or small Greek letter; others stay
-/// as they are.
+/// The italic letter of mathematics for a Latin or small Greek letter. Any other character stays as it
+/// is.
 pub fn italic_letter(c: char) -> char {
     let shifted = |first: char, base: u32| char::from_u32(base + (c as u32 - first as u32));
     let letter = match c {
@@ -32,4 +34,29 @@ pub fn italic_letter(c: char) -> char {
 /// Escapes `text` for HTML, attributes included.
 pub fn escape(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn letters_are_italic_and_the_rest_is_as_it_was() {
+        for (letter, italic) in [('h', 'ℎ'), ('θ', '𝜃'), ('D', '𝐷'), ('2', '2')] {
+            assert_eq!(italic_letter(letter), italic);
+        }
+    }
+
+    #[test]
+    fn underscore_puts_the_next_letter_below_the_line() {
+        let spans = symbol_spans("V_0");
+        let start = "<tspan class=\"math\">𝑉<tspan class=\"small\" dy=\"4\">0</tspan>";
+        assert!(spans.starts_with(start), "{spans}");
+        assert!(symbol_spans("<").contains("&lt;"));
+    }
+
+    #[test]
+    fn markup_is_escaped() {
+        assert_eq!(escape("a < \"b\" & c"), "a &lt; &quot;b&quot; &amp; c");
+    }
 }

@@ -1,40 +1,63 @@
+//! Positions in a drawing, and points of the world.
+
 use glam::{DVec2, dvec2};
 
 /// A map from the world, where y runs up, to a drawing.
 #[derive(Clone, Copy, Debug)]
 pub struct View {
-    /// The place of the world's origin.
+    /// The position of the world's origin.
     pub origin: DVec2,
     /// The length in the drawing of one unit of each axis.
     pub scale: DVec2,
 }
 
 impl View {
-    /// The place of a point of the world.
+    /// The position of a point of the world.
     pub fn to_drawing(self, world_point: DVec2) -> DVec2 {
         self.xy_to_drawing(world_point.x, world_point.y)
     }
 
-    /// The place of the point (x, y).
+    /// The position of the point (x, y).
     pub fn xy_to_drawing(self, x: f64, y: f64) -> DVec2 {
         self.origin + self.scale * dvec2(x, -y)
     }
 
-    /// The point of the world at a place in the drawing.
-    pub fn to_world(self, place: DVec2) -> DVec2 {
-        (place - self.origin) / self.scale * dvec2(1.0, -1.0)
+    /// The point of the world at a position in the drawing.
+    pub fn to_world(self, position: DVec2) -> DVec2 {
+        (position - self.origin) / self.scale * dvec2(1.0, -1.0)
     }
 
-    /// The angle from straight up, to the left, of the line from the origin to a place, in
+    /// The angle from straight up, to the left, of the line from the origin to a position, in
     /// degrees.
-    pub fn degrees_left_of_up(self, place: DVec2) -> f64 {
-        let DVec2 { x, y } = self.origin - place;
+    pub fn degrees_left_of_up(self, position: DVec2) -> f64 {
+        let DVec2 { x, y } = self.origin - position;
         x.atan2(y).to_degrees()
     }
 }
 
-/// The unit vector of the world so many degrees to the left of straight up.
+/// The unit vector of the world that points this many degrees to the left of straight up.
 pub fn direction_left_of_up(degrees: f64) -> DVec2 {
     let angle = degrees.to_radians();
     dvec2(-angle.sin(), angle.cos())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn point_comes_back_from_the_drawing() {
+        let view = View { origin: dvec2(100.0, 50.0), scale: dvec2(10.0, 20.0) };
+        assert_eq!(view.xy_to_drawing(2.0, 1.0), dvec2(120.0, 30.0));
+        assert_eq!(view.to_world(dvec2(120.0, 30.0)), dvec2(2.0, 1.0));
+    }
+
+    #[test]
+    fn angle_is_measured_from_straight_up_to_the_left() {
+        let view = View { origin: dvec2(100.0, 50.0), scale: DVec2::ONE };
+        assert_eq!(view.degrees_left_of_up(dvec2(100.0, 0.0)), 0.0);
+        assert_eq!(view.degrees_left_of_up(dvec2(50.0, 50.0)), 90.0);
+        let position = view.to_drawing(direction_left_of_up(-30.0));
+        assert!((view.degrees_left_of_up(position) + 30.0).abs() < 1e-9);
+    }
 }

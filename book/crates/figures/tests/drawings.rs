@@ -1,22 +1,52 @@
-//! What a page gets of each figure and picture, locked as text: one element of a drawing, or
-//! one field of JSON, a line.
+//! What a page gets of each figure, locked as text: one element of a drawing, or one field of JSON,
+//! a line.
 
 use course::{Step, find_picture};
-use figures::{FIGURES, Figure, Output, Reply, find, parse_address, reply};
+use figures::{
+    COLUMNS, Content, FIGURES, Figure, ParameterValues, Reply, find, format_address, parse_address,
+    reply,
+};
 use glam::{DVec2, dvec2};
 use insta::assert_snapshot;
 
 /// The reply to a request, in lines; the last are the first pixels.
 fn reply_lines(request: &str) -> String {
     let Reply { text, pixels } = reply(request);
-    let text = text.replace("\\\"", "\"").replace("\\u000a", "\n");
+    let text = json_lines(&text).replace("\\\"", "\"").replace("\\u000a", "\n");
     let pixels = pixels.chunks(4).take(40).map(|pixel| format!("\n{pixel:?}"));
-    ["<path", "<circle", "<text"]
+    let text = ["<path", "<circle", "<text"]
         .into_iter()
-        .fold(text, |text, element| text.replace(element, &format!("\n{element}")))
-        .replace(",\"", ",\n\"")
-        .replace(",{", ",\n{")
-        + &pixels.collect::<String>()
+        .fold(text, |text, element| text.replace(element, &format!("\n{element}")));
+    text + &pixels.collect::<String>()
+}
+
+/// An object of JSON with a line for each of its fields, for each object in a list, and for each
+/// text in `texts` and in `readouts`.
+fn json_lines(json: &str) -> String {
+    let (mut lines, mut depth, mut is_string, mut has_long_texts) =
+        (String::new(), 0, false, false);
+    let mut chars = json.chars().peekable();
+    while let Some(c) = chars.next() {
+        lines.push(c);
+        match c {
+            '\\' => lines.extend(chars.next()),
+            '"' => is_string = !is_string,
+            '{' | '[' if !is_string => {
+                has_long_texts |=
+                    lines.ends_with("\"texts\":{") || lines.ends_with("\"readouts\":{");
+                depth += 1;
+            }
+            '}' | ']' if !is_string => {
+                has_long_texts = false;
+                depth -= 1;
+            }
+            ',' if !is_string && (depth == 1 || has_long_texts || chars.peek() == Some(&'{')) => {
+                lines.push('\n');
+            }
+            _ => {}
+        }
+    }
+    lines
 }
 
 /// The requests, each with its reply below it.
@@ -25,29 +55,24 @@ fn replies(requests: &[String]) -> String {
     parts.collect::<Vec<_>>().join("\n")
 }
 
-/// Allowed values all over their ranges, others for each seed.
-fn spread_values(figure: &Figure, seed: usize) -> Vec<f64> {
+/// Allowed values all over their ranges, different ones for each seed.
+fn spread_values(figure: &Figure, seed: usize) -> ParameterValues {
     let golden_ratio = 0.618_033_988_749_895;
     let mut attempts = (0..10_000).filter_map(|attempt| {
         let values = (1..).zip(&figure.parameters).map(|(k, parameter)| {
             let [min, max] = parameter.range;
             let fraction = ((k + attempt * 97 + seed * 31) as f64 * golden_ratio).fract();
-            min + fraction * (max - min)
+            (parameter.id, min + fraction * (max - min))
         });
-        figure.snap_if_allowed(&values.collect::<Vec<_>>())
+        figure.snap_if_allowed(&values.collect())
     });
     attempts.next().expect("allowed values")
 }
 
-/// The default values and, if there are parameters, two others all over their ranges; of a
-/// picture, with eight columns.
-fn values_to_lock(figure: &Figure) -> Vec<Vec<f64>> {
+/// The default values and, if there are parameters, two others all over their ranges.
+fn values_to_lock(figure: &Figure) -> Vec<ParameterValues> {
     let [first, second] = [1, 2].map(|seed| spread_values(figure, seed));
     let mut all = vec![figure.default_values(), first, second];
-    let columns = figure.parameters.iter().position(|one| one.symbol == "hRes");
-    if let Some(columns) = columns.filter(|_| figure.title.is_empty()) {
-        all.iter_mut().for_each(|values| values[columns] = 8.0);
-    }
     all.dedup();
     all
 }
@@ -63,31 +88,38 @@ fn default_picture_is_that_of_the_program() {
     for (name, address, program) in steps.into_iter().chain(others) {
         let figure = find(name).expect("a picture");
         let values = parse_address(figure, address).expect("values");
-        let Output::Pixels(image) = (figure.draw)(&values) else { panic!("a drawing") };
+        let Content::Picture { draw } = figure.content else { panic!("a drawing") };
         let picture = find_picture(program).expect("a program");
-        assert!(image == picture(&course::camera(), 1), "{name} differs from {program}");
+        assert!(
+            draw(&values, COLUMNS) == picture(&course::camera(), 1),
+            "{name} differs from {program}"
+        );
     }
 }
 
 #[test]
-fn drawings_and_numbers_are_as_locked() {
+fn replies_are_as_locked() {
     for figure in FIGURES.iter() {
         let mut requests = vec![format!("about {}", figure.name)];
         requests.extend(values_to_lock(figure).iter().map(|values| {
-            let values = values.iter().map(|value| format!(" {value}"));
-            format!("show {}{}", figure.name, values.collect::<String>())
+            let address = format_address(figure, values);
+            match figure.content {
+                Content::Drawing { .. } => format!("show {} {address}", figure.name),
+                // A picture is drawn with eight columns.
+                Content::Picture { .. } => format!("show {} {address} 8", figure.name),
+            }
         }));
         assert_snapshot!(figure.name, replies(&requests));
     }
 }
 
-/// Each handle with its place at these values, and its parameters after it was dragged.
-fn handle_lines(figure: &Figure, values: &[f64]) -> String {
+/// Each handle with its position at these values, and its parameters after it was dragged.
+fn handle_lines(figure: &Figure, values: &ParameterValues) -> String {
     let lines = figure.handles.iter().map(|handle| {
-        let place = (handle.locate)(values).map(DVec2::round);
+        let position = (handle.locate)(values).map(DVec2::round);
         let dragged = figure.drag_handle(values, handle, dvec2(300.0, 120.0));
-        let dragged = dragged.map(|new| handle.parameters.map(|k| new[k]));
-        format!("{}: {place:?}, dragged: {dragged:?}\n", handle.words)
+        let dragged = dragged.map(|new| [new[handle.horizontal], new[handle.vertical]]);
+        format!("{}: {position:?}, dragged: {dragged:?}\n", handle.words)
     });
     format!("{}\n{}", figure.name, lines.collect::<String>())
 }

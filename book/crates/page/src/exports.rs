@@ -1,14 +1,13 @@
 //! The functions that a page calls. The page writes a request, and a file if there is one,
-//! into the module's memory and reads the answer from there; no pointer is dereferenced
-//! here.
+//! into the module's memory and reads the reply from there; no pointer is dereferenced here.
 
-use crate::answer;
+use crate::reply;
 use figures::Reply;
 use std::cell::RefCell;
 
 thread_local! {
     static ROOMS: RefCell<[Vec<u8>; 2]> = const { RefCell::new([vec![], vec![]]) };
-    static ANSWER: RefCell<(Reply, [usize; 4])> = RefCell::default();
+    static REPLY: RefCell<(Reply, [usize; 4])> = RefCell::default();
 }
 
 /// Makes room for this many bytes: of the next request, 0, or of its file, 1.
@@ -20,16 +19,16 @@ extern "C" fn make_room(index: usize, length: usize) -> *mut u8 {
     })
 }
 
-/// Answers the request that was written into its room. At the address that it gives are those of
-/// the answer's text and of its pixels, each with the length in bytes.
+/// Replies to the request that was written into its room. Returns the address of four numbers: the
+/// address and the length in bytes of the reply's text, then those of its pixels.
 #[unsafe(no_mangle)]
-extern "C" fn make_answer() -> *const usize {
+extern "C" fn make_reply() -> *const usize {
     let [request, file] = ROOMS.take();
-    let reply = answer(str::from_utf8(&request).unwrap_or_default(), &file);
+    let reply = reply(str::from_utf8(&request).unwrap_or_default(), &file);
     let [text, pixels] = [reply.text.as_bytes(), &reply.pixels];
     let ranges = [text.as_ptr() as usize, text.len(), pixels.as_ptr() as usize, pixels.len()];
-    ANSWER.with_borrow_mut(|answer| {
-        *answer = (reply, ranges);
-        answer.1.as_ptr()
+    REPLY.with_borrow_mut(|kept| {
+        *kept = (reply, ranges);
+        kept.1.as_ptr()
     })
 }

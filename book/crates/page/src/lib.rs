@@ -15,10 +15,10 @@ mod exports;
 
 use figures::Reply;
 
-/// Answers a request. `mistakes` brings the texts of the list of mistakes, to a module: they aren't
-/// in it. What begins with `check` or `edit` goes to the function of that name, all else to
+/// Replies to a request. `mistakes` brings the list of mistakes, whose texts no module contains. A
+/// request that begins with `check` or `edit` goes to the function of that name, any other to
 /// [`figures::reply`].
-pub fn answer(request: &str, file: &[u8]) -> Reply {
+pub fn reply(request: &str, file: &[u8]) -> Reply {
     match request.split_once(' ') {
         None if request == "mistakes" => {
             course::provide_mistake_texts(str::from_utf8(file).unwrap_or_default());

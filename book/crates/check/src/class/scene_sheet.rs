@@ -1,14 +1,14 @@
 //! The sheet of a name: the numbers of the scene that belongs to it, from which a student writes
 //! the scene in Rust, and problems on paper with these numbers.
 
-use crate::changed_number::owner_names;
+use crate::changed_number::{format_quantity, owner_names};
 use crate::class::table::align;
 use crate::class::write_folder::{NewFile, WriteFolderError, write_new_folder};
 use crate::comparison::scattered_positions;
 use crate::escape_for_terminal;
-use crate::number_format::{format_as_typed, format_number, format_vector};
+use crate::number_format::{format_number, format_vector};
 use crate::step_scene::{ObjectHit, StepScene};
-use course::{Owner, QUANTITIES, camera, fnv_1a, is_obeyed_by_terminals};
+use course::{Owner, QUANTITIES, Quantity, camera, fnv_1a, is_obeyed_by_terminals};
 use std::collections::HashMap;
 use std::fmt::Write;
 use std::iter;
@@ -184,11 +184,11 @@ impl Sheet {
 
 /// A table with all numbers of the objects, the lights or the scene, as they are typed in Rust.
 fn number_table(scene: &StepScene, owner: Owner) -> Vec<Vec<String>> {
-    let quantities = || QUANTITIES.iter().filter(|one| one.owner == owner && !one.needs_mirrors);
+    let is_seen = |one: &&Quantity| !one.scalars.iter().any(|scalar| scalar.needs_mirrors);
+    let quantities = || QUANTITIES.iter().filter(|one| one.owner == owner).filter(is_seen);
     let names = owner_names(scene, owner).into_iter().enumerate();
     let rows = names.map(|(k, name)| {
-        let numbers =
-            quantities().map(|one| format_as_typed(&(one.get)(&scene.own, k)[..one.numbers.len()]));
+        let numbers = quantities().map(|one| format_quantity(one, &scene.own, k));
         iter::once(name).chain(numbers).collect()
     });
     let head = iter::once("").chain(quantities().map(|one| one.name)).map(str::to_owned);

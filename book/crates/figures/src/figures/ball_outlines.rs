@@ -1,3 +1,5 @@
+//! The image of a ball at the side of a picture.
+
 use super::*;
 use std::f64::consts::{FRAC_PI_2, TAU};
 
@@ -13,34 +15,45 @@ const PICTURE: View = View { origin: dvec2(116.0, 62.0), scale: DVec2::splat(190
 /// The map of the eye and the balls, seen from above.
 const ABOVE: View = View { origin: dvec2(116.0, 332.0), scale: DVec2::splat(190.0) };
 
+const ANGLE: ParameterId = ParameterId::new("angle");
+
+/// The drawing, with its title and caption.
+const CONTENT: Content = Content::Drawing {
+    title: "Two equal balls at the same distance from the eye, one straight ahead and one on the right, from above, and over them their picture. The rays that touch the one on the right are cut by the image plane at a slant; in the picture, it is longer than it is wide.",
+    caption: "Equal balls at the same distance from the eye. The lower part shows them from above, the upper one their images. \
+                  The ball on the right is {{#number ball-outlines:angle}}° from the axis, and its image {{#number ball-outlines:times}} times as long as it's wide. \
+                  A dotted ray goes through the centre of each: on the image plane, the outer half of an image at the side is longer than the inner one. \
+                  <span class='move'>Drag the ball further to the side.</span>",
+    draw,
+};
+
 /// A ball straight ahead of the eye, an equal one that the reader moves to the side, and their
 /// picture.
 pub fn figure() -> Figure {
     Figure {
-        title: "Two equal balls at the same distance from the eye, one straight ahead and one on the right, from above, and over them their picture. The rays that touch the one on the right are cut by the image plane at a slant; in the picture, it is longer than it is wide.",
-        caption: "Equal balls at the same distance from the eye. The lower part shows them from above, the upper one their images. \
-                  The ball on the right is {{#number ball-outlines:angle}}° from the axis, and its image {{#number ball-outlines:times}} times as long as it's wide. \
-                  A dotted ray goes through the centre of each: on the image plane, the outer half of an image at the side is longer than the inner one. \
-                  <span class='move'>Drag the ball further to the side.</span>",
-        parameters: vec![Parameter::new(["α", "angle of the ball", "°"], 40.0, [18.0, 48.0], 1.0)],
+        parameters: vec![
+            Parameter::number(ANGLE, "angle of the ball", 40.0, [18.0, 48.0], 1.0)
+                .with_symbol("α")
+                .with_unit("°"),
+        ],
         handles: vec![Handle::of_one(
             "the ball on the right",
-            0,
-            |values| centre_from_above(values[0]),
-            |_, place| -ABOVE.degrees_left_of_up(place),
+            ANGLE,
+            |values| centre_from_above(values[ANGLE]),
+            |_, position| -ABOVE.degrees_left_of_up(position),
         )],
-        numbers: |values| {
-            let half = image_half(values[0]);
-            collect_numbers([
-                ("angle", format_number(values[0])),
+        readouts: |values| {
+            let half = image_half(values[ANGLE]);
+            collect_readouts([
+                ("angle", format_number(values[ANGLE])),
                 ("times", format_rounded(half.x / half.y, 1)),
             ])
         },
-        ..Figure::new("ball-outlines", draw)
+        ..Figure::new("ball-outlines", CONTENT)
     }
 }
 
-/// The place of the centre of a ball, so many degrees off the axis.
+/// The position of the centre of a ball that is this many degrees from the axis.
 fn centre_from_above(degrees: f64) -> DVec2 {
     ABOVE.to_drawing(DISTANCE * direction_left_of_up(-degrees))
 }
@@ -79,16 +92,16 @@ fn draw_ball(drawing: &mut Drawing, degrees: f64) {
     drawing.line("accent", on_plane(middle), on_plane(right));
 }
 
-fn draw(values: &[f64]) -> Output {
+fn draw(values: &ParameterValues) -> Drawing {
     let c = ABOVE.origin;
     let mut drawing = Drawing::new(352.0);
     let corners = [(-0.45, -0.27), (1.75, -0.27), (1.75, 0.27), (-0.45, 0.27)];
     drawing.area("plane", corners.map(|(x, y)| PICTURE.xy_to_drawing(x, y)));
     drawing.line("plane", ABOVE.xy_to_drawing(-0.45, 1.0), ABOVE.xy_to_drawing(1.75, 1.0));
     draw_ball(&mut drawing, 0.0);
-    draw_ball(&mut drawing, values[0]);
-    drawing.arc("axis", c, 70.0, [FRAC_PI_2, FRAC_PI_2 - values[0].to_radians()]);
+    draw_ball(&mut drawing, values[ANGLE]);
+    drawing.arc("axis", c, 70.0, [FRAC_PI_2, FRAC_PI_2 - values[ANGLE].to_radians()]);
     drawing.label("", c + dvec2(30.0, -76.0), "$α$");
     drawing.dot("eye", c);
-    Output::Drawing(drawing)
+    drawing
 }

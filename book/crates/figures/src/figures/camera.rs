@@ -1,31 +1,49 @@
+//! The rays of a small camera.
+
 use super::*;
-use crate::pictures::step01::{aspect_ratio_parameter, camera};
+use crate::pictures::step01::{FIELD_OF_VIEW, aspect_ratio_parameter, camera};
 use glam::{DMat2, DQuat};
 use step01_rays::{Camera, Ray, direction_colour, render};
+
+const COLUMNS: ParameterId = ParameterId::new("columns");
+const I: ParameterId = ParameterId::new("i");
+const J: ParameterId = ParameterId::new("j");
+
+/// The drawing, with its title and caption.
+const CONTENT: Content = Content::Drawing {
+    title: "A pyramid with its tip at C and the image plane, a grid of 8 by 5 points in pale colours, as its base. The arrow V0 goes from C to the top left point, Du from there one point right, Dv one point down. A ray goes from C through the point i = 5, j = 3.",
+    caption: "The pyramid of rays of a camera with {{#number camera:columns}} columns and {{#number camera:rows}} rows, each point in the colour \
+                  of its pixel. $V_0$ leads from $C$ to the top left one, $D_u$ one column to the right, $D_v$ one row \
+                  down. From the top left pixel, {{#number camera:i}} times $D_u$ and {{#number camera:j}} times $D_v$ lead to $V =$ {{#number camera:V}}. <span class='move'>Drag the ray to another pixel.</span>",
+    draw,
+};
 
 /// The pyramid of rays of a small camera, its picture on the image plane, and the ray of
 /// one of the pixels.
 pub fn figure() -> Figure {
-    let locate = |values: &[f64]| {
+    let locate = |values: &ParameterValues| {
         let figure = CameraFigure::new(values);
         Some(figure.project(figure.ray().at(1.0)))
     };
-    let pixel_at = |values: &[f64], place| CameraFigure::new(values).pixel_at(place);
+    let pixel_at =
+        |values: &ParameterValues, position| CameraFigure::new(values).pixel_at(position);
     Figure {
-        title: "A pyramid with its tip at C and the image plane, a grid of 8 by 5 points in pale colours, as its base. The arrow V0 goes from C to the top left point, Du from there one point right, Dv one point down. A ray goes from C through the point i = 5, j = 3.",
-        caption: "The pyramid of rays of a camera with {{#number camera:columns}} columns and {{#number camera:rows}} rows, each point in the colour \
-                  of its pixel. $V_0$ leads from $C$ to the top left one, $D_u$ one column to the right, $D_v$ one row \
-                  down. From the top left pixel, {{#number camera:i}} times $D_u$ and {{#number camera:j}} times $D_v$ lead to $V =$ {{#number camera:V}}. <span class='move'>Drag the ray to another pixel.</span>",
         parameters: vec![
-            Parameter::new(["θ", "field of view", "°"], 60.0, [20.0, 90.0], 1.0),
+            Parameter::number(FIELD_OF_VIEW, "field of view", 60.0, [20.0, 90.0], 1.0)
+                .with_symbol("θ")
+                .with_unit("°"),
             aspect_ratio_parameter(),
-            Parameter::new(["hRes", "columns", ""], 8.0, [3.0, 16.0], 1.0),
-            Parameter::new(["i", "column", ""], 5.0, [0.0, 15.0], 1.0),
-            Parameter::new(["j", "row", ""], 3.0, [0.0, 11.0], 1.0),
+            Parameter::number(COLUMNS, "columns", 8.0, [3.0, 16.0], 1.0).with_symbol("hRes"),
+            Parameter::number(I, "column", 5.0, [0.0, 15.0], 1.0)
+                .with_symbol("i")
+                .with_axis(Axis::Right),
+            Parameter::number(J, "row", 3.0, [0.0, 11.0], 1.0)
+                .with_symbol("j")
+                .with_axis(Axis::Down),
         ],
-        handles: vec![Handle::new("the pixel of the ray", [3, 4], locate, pixel_at)],
-        numbers,
-        ..Figure::new("camera", draw)
+        handles: vec![Handle::new("the pixel of the ray", [I, J], locate, pixel_at)],
+        readouts,
+        ..Figure::new("camera", CONTENT)
     }
 }
 
@@ -35,16 +53,16 @@ struct CameraFigure {
 }
 
 impl CameraFigure {
-    fn new(values: &[f64]) -> Self {
-        let camera = camera(&values[..3]);
-        Self { camera, pixel: nearest_pixel(&camera, DVec2::from_slice(&values[3..])) }
+    fn new(values: &ParameterValues) -> Self {
+        let camera = camera(values, values[COLUMNS] as u32);
+        Self { camera, pixel: clamp_to_picture(&camera, dvec2(values[I], values[J])) }
     }
 
     fn ray(&self) -> Ray {
         self.camera.ray(self.pixel.x, self.pixel.y)
     }
 
-    /// The place in the drawing of a point of the world: turned about y, tilted, without
+    /// The position in the drawing of a point of the world: turned about y, tilted, without
     /// perspective. A wide view is drawn smaller.
     fn project(&self, point: DVec3) -> DVec2 {
         let turn = DQuat::from_rotation_x(0.3) * DQuat::from_rotation_y(-0.72);
@@ -53,12 +71,12 @@ impl CameraFigure {
         view.to_drawing((turn * point).truncate())
     }
 
-    /// The pixel at a place on the image plane.
-    fn pixel_at(&self, place: DVec2) -> DVec2 {
+    /// The pixel at a position on the image plane.
+    fn pixel_at(&self, position: DVec2) -> DVec2 {
         let project = |i, j| self.project(self.camera.ray(i, j).at(1.0));
         let first = project(0.0, 0.0);
         let steps = DMat2::from_cols(project(1.0, 0.0) - first, project(0.0, 1.0) - first);
-        nearest_pixel(&self.camera, steps.inverse() * (place - first))
+        clamp_to_picture(&self.camera, steps.inverse() * (position - first))
     }
 
     /// The image plane with a dot for each pixel, and the rays through its corners.
@@ -73,10 +91,10 @@ impl CameraFigure {
             drawing.line("ray faint", c, self.project(ray.at(1.16)));
         }
         drawing.line("guide", c, self.project(DVec3::NEG_Z));
-        let place = |i: f64, j: f64| self.project(camera.ray(i, j).at(1.0));
-        let radius = (0.36 * place(0.0, 0.0).distance(place(1.0, 0.0))).min(5.0);
+        let position = |i: f64, j: f64| self.project(camera.ray(i, j).at(1.0));
+        let radius = (0.36 * position(0.0, 0.0).distance(position(1.0, 0.0))).min(5.0);
         for (i, j, pixel) in render(camera, 1, direction_colour).enumerate_pixels() {
-            drawing.pixel(place(f64::from(i), f64::from(j)), radius, pixel.0);
+            drawing.pixel(position(f64::from(i), f64::from(j)), radius, pixel.0);
         }
     }
 
@@ -100,13 +118,13 @@ impl CameraFigure {
     }
 }
 
-/// The pixel of the camera that is nearest to `pixel`, still with fractions.
-fn nearest_pixel(camera: &Camera, pixel: DVec2) -> DVec2 {
+/// The point of the picture that is nearest to `pixel`, in pixels with fractions.
+fn clamp_to_picture(camera: &Camera, pixel: DVec2) -> DVec2 {
     let last = dvec2(f64::from(camera.h_res), f64::from(camera.v_res)) - 1.0;
     pixel.clamp(DVec2::ZERO, last)
 }
 
-fn draw(values: &[f64]) -> Output {
+fn draw(values: &ParameterValues) -> Drawing {
     let figure = CameraFigure::new(values);
     let c = figure.project(DVec3::ZERO);
     let mut drawing = Drawing::new(310.0);
@@ -115,13 +133,13 @@ fn draw(values: &[f64]) -> Output {
     drawing.dot("eye", c);
     drawing.label("strong end", c + dvec2(-12.0, 6.0), "$C$");
     drawing.arrow("ray", c, figure.project(figure.ray().at(1.26)));
-    Output::Drawing(drawing)
+    drawing
 }
 
-fn numbers(values: &[f64]) -> Numbers {
+fn readouts(values: &ParameterValues) -> Readouts {
     let figure = CameraFigure::new(values);
     let CameraFigure { camera, pixel } = &figure;
-    collect_numbers([
+    collect_readouts([
         ("columns", camera.h_res.to_string()),
         ("rows", camera.v_res.to_string()),
         ("i", format_number(pixel.x)),

@@ -1,45 +1,61 @@
+//! A world in a plane, in which every ball mirrors.
+
 use super::*;
 use course::examples::shadows::{OFFSET, hidden};
 use step05_phong::{Object, Ray, Sphere, SurfacePoint, reflect, visible_point};
 
 const VIEW: View = View { origin: dvec2(0.0, 300.0), scale: dvec2(48.0, 48.0) };
 
-/// The handles with their marks and their default places.
-const HANDLES: [(&str, Mark, [f64; 2]); 7] = [
-    ("the eye S", Mark::Point, [0.6, 2.6]),
-    ("the end of V", Mark::Point, [1.8, 2.65]),
-    ("the light q", Mark::Light, [1.5, 5.3]),
-    ("ball 1", Mark::Point, [4.6, 1.7]),
-    ("ball 2", Mark::Point, [2.65, 4.0]),
-    ("ball 3", Mark::Point, [4.95, 5.1]),
-    ("ball 4", Mark::Point, [7.2, 2.3]),
+const EYE: PointId = PointId("the eye S");
+const END_OF_V: PointId = PointId("the end of V");
+const LIGHT: PointId = PointId("the light q");
+
+/// The centres of the balls, and their radii.
+const BALLS: [(PointId, f64); 4] = [
+    (PointId("ball 1"), 1.2),
+    (PointId("ball 2"), 0.55),
+    (PointId("ball 3"), 0.8),
+    (PointId("ball 4"), 0.9),
 ];
 
-/// The radii of the balls.
-const RADII: [f64; 4] = [1.2, 0.55, 0.8, 0.9];
+/// What the reader drags, in the order of the handles: its mark and its default position.
+const POINTS: [(PointId, Mark, [f64; 2]); 7] = [
+    (EYE, Mark::Point, [0.6, 2.6]),
+    (END_OF_V, Mark::Point, [1.8, 2.65]),
+    (LIGHT, Mark::Light, [1.5, 5.3]),
+    (BALLS[0].0, Mark::Point, [4.6, 1.7]),
+    (BALLS[1].0, Mark::Point, [2.65, 4.0]),
+    (BALLS[2].0, Mark::Point, [4.95, 5.1]),
+    (BALLS[3].0, Mark::Point, [7.2, 2.3]),
+];
+
+/// The drawing, with its title and caption.
+const CONTENT: Content = Content::Drawing {
+    title: "Four balls, an eye S and a light q in a plane. The ray from the eye meets ball 1 at p; ball 2 blocks the way from there to the light. The mirrored ray goes on to ball 3 and from there to ball 4, which is the only one in the light.",
+    caption: "A world in a plane, where every ball mirrors: the ray from the eye meets {{#number flat-world:path}}. From each hit, a line leads \
+                  to the light; where it's dotted, the light is hidden by another ball or by the one that was hit. (No ray is followed after its third hit.) \
+                  <span class='move'>Drag anything: the light, say, until $p$ sees it.</span>",
+    draw,
+};
 
 /// Four balls, an eye and a light in the plane z = 0, and the way of a ray.
 pub fn figure() -> Figure {
     let ranges = [[0.4, 9.6], [0.4, 5.6]];
-    let handles = (0..).zip(HANDLES).map(|(k, (words, mark, _))| {
-        let handle = Handle::of_point(words, 2 * k, VIEW);
-        Handle { mark, ..handle }
-    });
     Figure {
-        title: "Four balls, an eye S and a light q in a plane. The ray from the eye meets ball 1 at p; ball 2 blocks the way from there to the light. The mirrored ray goes on to ball 3 and from there to ball 4, which is the only one in the light.",
-        caption: "A world in a plane, where every ball mirrors: the ray from the eye meets {{#number flat-world:path}}. From each hit, a line leads \
-                  to the light; where it's dotted, the light is hidden by another ball or by the one that was hit. (No ray is followed after its third hit.) \
-                  <span class='move'>Drag anything: the light, say, until $p$ sees it.</span>",
-        parameters: HANDLES.map(|(.., point)| Parameter::point(point, ranges, 20.0)).concat(),
-        handles: handles.collect(),
-        numbers,
+        parameters: POINTS
+            .map(|(point, _, default)| Parameter::point(point, default, ranges, 20.0))
+            .concat(),
+        handles: POINTS
+            .map(|(point, mark, _)| Handle { mark, ..Handle::of_point(point, VIEW) })
+            .into(),
+        readouts,
         // The eye is outside of the balls, and V long enough to be seen.
         is_allowed: |values| {
             let FlatWorld { ray: Ray { start, direction }, balls, .. } = FlatWorld::new(values);
-            let is_outside = |ball: &Sphere| ball.radius < ball.centre.distance(start);
-            0.3 < direction.length() && balls.iter().all(|ball| is_outside(&ball.sphere))
+            let is_outside = |ball: &Sphere| ball.centre.distance(start) > ball.radius;
+            direction.length() > 0.3 && balls.iter().all(|ball| is_outside(&ball.sphere))
         },
-        ..Figure::new("flat-world", draw)
+        ..Figure::new("flat-world", CONTENT)
     }
 }
 
@@ -58,15 +74,14 @@ struct LitPoint<'a> {
 }
 
 impl FlatWorld {
-    fn new(values: &[f64]) -> Self {
-        let points = values.chunks_exact(2).map(|point| DVec2::from_slice(point).extend(0.0));
-        let points: Vec<_> = points.collect();
-        let balls = points[3..].iter().zip(RADII).zip(1..).map(|((&centre, radius), material)| {
-            let sphere = Sphere { centre, radius };
+    fn new(values: &ParameterValues) -> Self {
+        let point = |id| values.point(id).extend(0.0);
+        let balls = BALLS.iter().zip(1..).map(|(&(centre, radius), material)| {
+            let sphere = Sphere { centre: point(centre), radius };
             Object { name: "ball", sphere, material }
         });
-        let ray = Ray { start: points[0], direction: points[1] - points[0] };
-        Self { ray, q: points[2], balls: balls.collect() }
+        let ray = Ray { start: point(EYE), direction: point(END_OF_V) - point(EYE) };
+        Self { ray, q: point(LIGHT), balls: balls.collect() }
     }
 
     /// The first three hits of the ray from the eye and the mirrored ones, and the ray that
@@ -84,52 +99,52 @@ impl FlatWorld {
     }
 }
 
-fn draw(values: &[f64]) -> Output {
+fn draw(values: &ParameterValues) -> Drawing {
     let world = FlatWorld::new(values);
     let (hits, leaving) = world.trace();
-    let place = |point: DVec3| VIEW.to_drawing(point.truncate());
+    let position = |point: DVec3| VIEW.to_drawing(point.truncate());
     let mut drawing = Drawing::new(300.0);
     for Object { sphere, material, .. } in &world.balls {
         let is_seen = hits.iter().any(|hit| hit.point.material() == material);
         let class = if is_seen { "object seen" } else { "object" };
-        drawing.circle(class, place(sphere.centre), VIEW.scale.x * sphere.radius);
+        drawing.circle(class, position(sphere.centre), VIEW.scale.x * sphere.radius);
         // Beside the handle, which is large on a phone.
-        let label = place(sphere.centre) + dvec2(25.0, 5.0);
+        let label = position(sphere.centre) + dvec2(25.0, 5.0);
         drawing.label("over", label, &material.to_string());
     }
     // A ray that meets nothing leaves the drawing.
     let end = leaving.map(|ray| ray.start + 20.0 * ray.direction.normalize());
     let corners = hits.iter().map(|hit| hit.point.p).chain(end);
-    drawing.path("ray", [world.ray.start].into_iter().chain(corners).map(place));
+    drawing.path("ray", [world.ray.start].into_iter().chain(corners).map(position));
     for LitPoint { point: SurfacePoint { p, n, .. }, is_lit } in &hits {
         let class = if *is_lit { "light" } else { "guide" };
-        drawing.line(class, place(*p), place(world.q));
-        drawing.arrow("second", place(*p), place(p + 0.7 * n));
-        drawing.dot("hit", place(*p));
+        drawing.line(class, position(*p), position(world.q));
+        drawing.arrow("second", position(*p), position(p + 0.7 * n));
+        drawing.dot("hit", position(*p));
     }
     let [s, v, q] = [world.ray.start, world.ray.at(1.0), world.q];
-    drawing.arrow("ray", place(s), place(v));
-    drawing.dot("eye", place(s));
-    drawing.circle("light head", place(q), 7.0);
+    drawing.arrow("ray", position(s), position(v));
+    drawing.dot("eye", position(s));
+    drawing.circle("light head", position(q), 7.0);
     let above = |point: DVec3| point + 0.6 * DVec3::Y;
     let mut names = vec![(above(s), "$S$"), (above(v), "$V$"), (above(q), "$q$")];
     if let Some(LitPoint { point: SurfacePoint { p, n, .. }, .. }) = hits.first() {
         names.extend([(p - 0.4 * n, "$p$"), (p + 0.95 * n, "$n$")]);
     }
     for (point, name) in names {
-        drawing.label("strong over", place(point).max(DVec2::Y * 11.0) + DVec2::Y * 5.0, name);
+        drawing.label("strong over", position(point).max(DVec2::Y * 11.0) + DVec2::Y * 5.0, name);
     }
-    Output::Drawing(drawing)
+    drawing
 }
 
 /// The sentence about what the ray meets.
-fn numbers(values: &[f64]) -> Numbers {
+fn readouts(values: &ParameterValues) -> Readouts {
     let world = FlatWorld::new(values);
     let (hits, leaving) = world.trace();
     let words = hits.iter().map(|LitPoint { point, is_lit }| {
-        let place = if *is_lit { "in the light" } else { "in shadow" };
-        format!("ball {} at t = {}, {place}", point.material(), format_rounded(point.hit.t, 2))
+        let position = if *is_lit { "in the light" } else { "in shadow" };
+        format!("ball {} at t = {}, {position}", point.material(), format_rounded(point.hit.t, 2))
     });
     let words = words.chain(leaving.map(|_| "nothing".into()));
-    collect_numbers([("path", words.collect::<Vec<_>>().join("; then "))])
+    collect_readouts([("path", words.collect::<Vec<_>>().join("; then "))])
 }

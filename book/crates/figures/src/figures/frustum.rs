@@ -1,3 +1,5 @@
+//! The frustum of OpenGL, and what it cuts away.
+
 use super::*;
 use step01_rays::Camera;
 use step03_nearest::{Ray, Sphere};
@@ -12,27 +14,35 @@ const BALLS: [Sphere; 3] = [
     Sphere { centre: DVec3::new(0.0, -0.25, -4.72), radius: 0.42 },
 ];
 
+const NEAR: ParameterId = ParameterId::new("near plane");
+const FAR: ParameterId = ParameterId::new("far plane");
+
+/// The drawing, with its title and caption.
+const CONTENT: Content = Content::Drawing {
+    title: "A view from the side. Rays go from the point C to three balls and meet each of them. The frustum is the part of the view between the near plane and the far plane. One ball is nearer than the near plane and one is beyond the far plane: both are cut away. The ball in between is drawn.",
+    caption: "The frustum is the shaded part, and the labels say what OpenGL does with each ball. Our rays start at $C$, \
+                  ignore both planes, and meet all three balls. <span class='move'>Drag the planes: balls are cut, and no ray changes.</span>",
+    draw,
+};
+
 /// The frustum of OpenGL from the side, and rays to what it cuts away.
 pub fn figure() -> Figure {
-    let handle = |words, k: usize| {
-        let locate = move |values: &[f64]| place(sides()[1].at(values[k]));
-        Handle::of_one(words, k, locate, |_, place| VIEW.to_world(place).x)
+    let handle = |words, depth: ParameterId| {
+        let locate = move |values: &ParameterValues| position(sides()[1].at(values[depth]));
+        Handle::of_one(words, depth, locate, |_, position| VIEW.to_world(position).x)
     };
     Figure {
-        title: "A view from the side. Rays go from the point C to three balls and meet each of them. The frustum is the part of the view between the near plane and the far plane. One ball is nearer than the near plane and one is beyond the far plane: both are cut away. The ball in between is drawn.",
-        caption: "The frustum is the shaded part, and the labels say what OpenGL does with each ball. Our rays start at $C$, \
-                  ignore both planes, and meet all three balls. <span class='move'>Drag the planes: balls are cut, and no ray changes.</span>",
         parameters: vec![
-            Parameter::new(["", "near plane", ""], 1.25, [0.2, 2.4], 20.0),
-            Parameter::new(["", "far plane", ""], 3.9, [2.6, 5.3], 20.0),
+            Parameter::number(NEAR, "near plane", 1.25, [0.2, 2.4], 20.0),
+            Parameter::number(FAR, "far plane", 3.9, [2.6, 5.3], 20.0),
         ],
-        handles: vec![handle("the near plane", 0), handle("the far plane", 1)],
-        ..Figure::new("frustum", draw)
+        handles: vec![handle("the near plane", NEAR), handle("the far plane", FAR)],
+        ..Figure::new("frustum", CONTENT)
     }
 }
 
-/// The place of a point of the world, seen from the side.
-fn place(point: DVec3) -> DVec2 {
+/// The position of a point of the world, seen from the side.
+fn position(point: DVec3) -> DVec2 {
     VIEW.xy_to_drawing(-point.z, point.y)
 }
 
@@ -45,22 +55,22 @@ fn sides() -> [Ray; 2] {
 /// The words for the part of a sphere that is between the planes.
 fn part_between(sphere: &Sphere, [near, far]: [f64; 2]) -> &'static str {
     let (depth, radius) = (-sphere.centre.z, sphere.radius);
-    if depth + radius <= near || far <= depth - radius {
+    if depth + radius <= near || depth - radius >= far {
         "cut away"
-    } else if near <= depth - radius && depth + radius <= far {
+    } else if depth - radius >= near && depth + radius <= far {
         "drawn"
     } else {
         "cut in two"
     }
 }
 
-fn draw(values: &[f64]) -> Output {
-    let (planes, sides) = (array(values), sides());
+fn draw(values: &ParameterValues) -> Drawing {
+    let (planes, sides) = ([values[NEAR], values[FAR]], sides());
     let mut drawing = Drawing::new(334.0);
-    let [near, far] = planes.map(|t| sides.map(|ray| place(ray.at(t))));
+    let [near, far] = planes.map(|t| sides.map(|ray| position(ray.at(t))));
     drawing.area("plane", [near[0], far[0], far[1], near[1]]);
     for ray in sides {
-        drawing.line("guide", place(ray.start), place(ray.at(5.4)));
+        drawing.line("guide", position(ray.start), position(ray.at(5.4)));
     }
     // However near the planes are to each other, their names don't meet.
     for ([upper, lower], class, name) in
@@ -73,18 +83,18 @@ fn draw(values: &[f64]) -> Output {
     for sphere in BALLS {
         let part = part_between(&sphere, planes);
         let class = if part == "cut away" { "behind" } else { "object" };
-        let (centre, radius) = (place(sphere.centre), VIEW.scale.x * sphere.radius);
+        let (centre, radius) = (position(sphere.centre), VIEW.scale.x * sphere.radius);
         drawing.circle(class, centre, radius);
         // On the side away from the other rays.
-        let below = if 0.0 < sphere.centre.y { -radius - 10.0 } else { radius + 40.0 };
+        let below = if sphere.centre.y > 0.0 { -radius - 10.0 } else { radius + 40.0 };
         drawing.label("quiet over", centre + dvec2(0.0, below), part);
         let ray = Ray { start: DVec3::ZERO, direction: sphere.centre };
         if let Some(t) = sphere.intersect(&ray).first_hit() {
-            drawing.line("ray", place(ray.start), place(ray.at(t)));
-            drawing.dot("hit", place(ray.at(t)));
+            drawing.line("ray", position(ray.start), position(ray.at(t)));
+            drawing.dot("hit", position(ray.at(t)));
         }
     }
     drawing.dot("eye", VIEW.origin);
     drawing.label("strong", VIEW.origin + dvec2(0.0, 28.0), "$C$");
-    Output::Drawing(drawing)
+    drawing
 }

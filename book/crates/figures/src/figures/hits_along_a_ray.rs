@@ -1,36 +1,49 @@
+//! The hits of three spheres on one ray.
+
 use super::*;
+use std::iter::zip;
 use step03_nearest::{Object, Ray, Sphere, nearest};
 
 const VIEW: View = View { origin: dvec2(150.0, 100.0), scale: dvec2(44.0, 44.0) };
 
-const RADII: [f64; 3] = [1.0, 0.7, 0.8];
+/// The centres of the spheres, and their radii.
+const SPHERES: [(PointId, f64); 3] = [
+    (PointId("the centre of sphere 0"), 1.0),
+    (PointId("the centre of sphere 1"), 0.7),
+    (PointId("the centre of sphere 2"), 0.8),
+];
+
+/// The drawing, with its title and caption.
+const CONTENT: Content = Content::Drawing {
+    title: "A ray from S passes through two spheres in front of it, and its line through a third behind it. The six values of t are marked; the smallest above 0 is the nearest hit.",
+    caption: "Every $t$ on one line. Those below 0 lie behind the start. Of the others, the smallest is the hit \
+                  you see. $k$ is the sphere's place in the list, counted from 0; here it doesn't matter. \
+                  <span class='move'>Drag another sphere in front.</span>",
+    draw,
+};
 
 /// A ray and three spheres that the reader moves, one behind the start.
 pub fn figure() -> Figure {
-    let centres = [[5.3, 0.35], [-1.5, 0.2], [2.4, -0.3]];
+    let defaults = [[5.3, 0.35], [-1.5, 0.2], [2.4, -0.3]];
     let ranges = [[-1.6, 5.6], [-1.0, 1.0]];
-    let handle = |k: usize| Handle::of_point(&format!("the centre of sphere {k}"), 2 * k, VIEW);
     Figure {
-        title: "A ray from S passes through two spheres in front of it, and its line through a third behind it. The six values of t are marked; the smallest above 0 is the nearest hit.",
-        caption: "Every $t$ on one line. Those below 0 lie behind the start. Of the others, the smallest is the hit \
-                  you see. $k$ is the sphere's place in the list, counted from 0; here it doesn't matter. \
-                  <span class='move'>Drag another sphere in front.</span>",
-        parameters: centres.map(|centre| Parameter::point(centre, ranges, 20.0)).concat(),
-        handles: [0, 1, 2].map(handle).into(),
-        ..Figure::new("hits-along-a-ray", draw)
+        parameters: zip(SPHERES, defaults)
+            .flat_map(|((centre, _), default)| Parameter::point(centre, default, ranges, 20.0))
+            .collect(),
+        handles: SPHERES.map(|(centre, _)| Handle::of_point(centre, VIEW)).into(),
+        ..Figure::new("hits-along-a-ray", CONTENT)
     }
 }
 
-fn draw(values: &[f64]) -> Output {
+fn draw(values: &ParameterValues) -> Drawing {
     let ray = Ray { start: DVec3::ZERO, direction: DVec3::X };
-    let centres = values.chunks_exact(2).map(|centre| DVec2::from_slice(centre).extend(0.0));
-    let objects = centres.zip(RADII).zip(0..).map(|((centre, radius), material)| Object {
+    let objects = SPHERES.iter().zip(0..).map(|(&(centre, radius), material)| Object {
         name: "sphere",
-        sphere: Sphere { centre, radius },
+        sphere: Sphere { centre: values.point(centre).extend(0.0), radius },
         material,
     });
-    let objects: Vec<_> = objects.collect();
-    let place = |t: f64| VIEW.to_drawing(ray.at(t).truncate());
+    let objects: Vec<Object<usize>> = objects.collect();
+    let position = |t: f64| VIEW.to_drawing(ray.at(t).truncate());
     let nearest_hit = nearest(&objects, &ray);
     let mut drawing = Drawing::new(244.0);
     for Object { sphere, material: k, .. } in &objects {
@@ -42,10 +55,10 @@ fn draw(values: &[f64]) -> Output {
         let label = (centre - dvec2(0.0, radius + 9.0)).max(dvec2(0.0, 14.0));
         drawing.label("quiet", label, &format!("$k$ = {k}"));
     }
-    drawing.line("guide", place(-2.7), place(0.0));
-    drawing.arrow("ray", place(0.0), place(7.2));
-    drawing.dot("eye", place(0.0));
-    drawing.label("strong", place(0.0) + dvec2(0.0, -12.0), "$S$");
+    drawing.line("guide", position(-2.7), position(0.0));
+    drawing.arrow("ray", position(0.0), position(7.2));
+    drawing.dot("eye", position(0.0));
+    drawing.label("strong", position(0.0) + dvec2(0.0, -12.0), "$S$");
     for Object { sphere, material: k, .. } in &objects {
         // A row for each sphere; the two numbers stand apart, however near they are.
         let y = 190.0 + 20.0 * *k as f64;
@@ -55,13 +68,13 @@ fn draw(values: &[f64]) -> Output {
                 _ if t < 0.0 => ("behind", "quiet"),
                 _ => ("ray", "quiet"),
             };
-            drawing.dot(dot, place(t));
-            drawing.line("axis", place(t) + dvec2(0.0, 8.0), place(t).with_y(y));
+            drawing.dot(dot, position(t));
+            drawing.line("axis", position(t) + dvec2(0.0, 8.0), position(t).with_y(y));
             let shift = if anchor == "end" { -4.0 } else { 4.0 };
             let class = format!("{label} over {anchor}");
-            drawing.label(&class, dvec2(place(t).x + shift, y), &format_rounded(t, 1));
+            drawing.label(&class, dvec2(position(t).x + shift, y), &format_rounded(t, 1));
         }
     }
     drawing.label("over", dvec2(24.0, 172.0), "$t$ =");
-    Output::Drawing(drawing)
+    drawing
 }

@@ -1,40 +1,51 @@
+//! Lambert's cosine law.
+
 use super::*;
 use std::f64::consts::FRAC_PI_2;
 use step04_diffuse::{Attenuation, Matte, PointLight, diffuse};
 
-/// The map whose origin is the place that the light on the right falls on.
+/// The map whose origin is the point that the light on the right falls on.
 const VIEW: View = View { origin: dvec2(352.0, 210.0), scale: DVec2::ONE };
 
 /// The length of a beam.
 const LENGTH: f64 = 165.0;
 
-/// A beam of light that falls straight down, and one whose angle the reader sets.
-pub fn figure() -> Figure {
-    let angle = Parameter::new(["α", "angle of the light", "°"], 60.0, [0.0, 100.0], 1.0);
-    Figure {
-        title: "A beam of light falls on the ground twice: straight down, where it lights a strip as wide as the beam, and at an angle, where the same beam lights a wider strip.",
-        caption: "Lambert's cosine law. Both beams are equally wide and carry the same light. With the light at {{#number lambert:angle}}° from the normal, each \
+const ANGLE: ParameterId = ParameterId::new("angle");
+
+/// The drawing, with its title and caption.
+const CONTENT: Content = Content::Drawing {
+    title: "A beam of light falls on the ground twice: straight down, where it lights a strip as wide as the beam, and at an angle, where the same beam lights a wider strip.",
+    caption: "Lambert's cosine law. Both beams are equally wide and carry the same light. With the light at {{#number lambert:angle}}° from the normal, each \
                   point of the ground gets {{#number lambert:share}} of what it gets from straight above, which is \
                   the cosine of the angle. From a light below the ground, it gets nothing. <span class='move'>Lower the light to the ground, and then below it. \
                   (A low beam lights more ground than is drawn.)</span>",
+    draw,
+};
+
+/// A beam of light that falls straight down, and one whose angle the reader sets.
+pub fn figure() -> Figure {
+    let angle = Parameter::number(ANGLE, "angle of the light", 60.0, [0.0, 100.0], 1.0)
+        .with_symbol("α")
+        .with_unit("°");
+    Figure {
         parameters: vec![angle],
-        handles: vec![Handle::of_angle("the light on the right", 0, VIEW, LENGTH)],
-        numbers: |values| {
-            let share = brightness(direction_left_of_up(values[0]));
-            collect_numbers([
-                ("angle", format_number(values[0])),
+        handles: vec![Handle::of_angle("the light on the right", ANGLE, VIEW, LENGTH)],
+        readouts: |values| {
+            let share = brightness(direction_left_of_up(values[ANGLE]));
+            collect_readouts([
+                ("angle", format_number(values[ANGLE])),
                 ("share", format_rounded(share, 3)),
             ])
         },
-        ..Figure::new("lambert", draw)
+        ..Figure::new("lambert", CONTENT)
     }
 }
 
-fn draw(values: &[f64]) -> Output {
+fn draw(values: &ParameterValues) -> Drawing {
     let mut drawing = Drawing::new(300.0);
     draw_beam(&mut drawing, dvec2(106.0, 210.0), 0.0);
-    draw_beam(&mut drawing, VIEW.origin, values[0]);
-    Output::Drawing(drawing)
+    draw_beam(&mut drawing, VIEW.origin, values[ANGLE]);
+    drawing
 }
 
 fn draw_beam(drawing: &mut Drawing, ground: DVec2, degrees: f64) {
@@ -43,7 +54,7 @@ fn draw_beam(drawing: &mut Drawing, ground: DVec2, degrees: f64) {
     let to_light = dvec2(l.x, -l.y);
     let share = brightness(l);
     // At 90°, the cosine is a little above 0.
-    let is_lit = 0.0005 <= share;
+    let is_lit = share >= 0.0005;
     // The beam has one width; the strip it lights is wider by 1 / cos.
     let half = 26.0 / l.y;
     // A beam that is nearly level lights more ground than is drawn.
@@ -63,7 +74,7 @@ fn draw_beam(drawing: &mut Drawing, ground: DVec2, degrees: f64) {
     if is_lit {
         drawing.line("lit", foot(-edge), foot(edge));
     }
-    if 0.0 < angle {
+    if angle > 0.0 {
         drawing.arc("axis", ground, 92.0, [FRAC_PI_2, FRAC_PI_2 + angle]);
         drawing.label("end", ground + dvec2(-30.0, -100.0), "$α$");
     }
@@ -74,7 +85,7 @@ fn draw_beam(drawing: &mut Drawing, ground: DVec2, degrees: f64) {
         drawing.line("vector", corner, corner + 52.0 * across);
         drawing.label("strong", corner + 66.0 * across + dvec2(3.0, 3.0), "$w$");
     }
-    if 0.0 < angle && is_strip {
+    if angle > 0.0 && is_strip {
         drawing.arc("axis", foot(-1.0), 24.0, [0.0, angle]);
         drawing.label("", foot(-1.0) + dvec2(34.0, -8.0), "$α$");
     }

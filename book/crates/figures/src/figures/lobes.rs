@@ -1,30 +1,40 @@
+//! The shape of a highlight for several exponents.
+
 use super::*;
 use std::f64::consts::{FRAC_PI_4, PI};
 
 const VIEW: View = View { origin: dvec2(176.0, 258.0), scale: dvec2(222.0, 222.0) };
 
-/// The lobes of several exponents, one of which the reader sets, and the light.
-pub fn figure() -> Figure {
-    Figure {
-        title: "Lobes around the reflection vector r: for the exponents 1, 10, 40 and 150 they are ever narrower, and all of the same length along r.",
-        caption: "The highlight $\\max(r \\cdot v, 0)^n$, drawn as a shape, a *lobe*: the brighter it is in a direction $v$, \
+const EXPONENT: ParameterId = ParameterId::new("exponent");
+const ANGLE: ParameterId = ParameterId::new("angle");
+
+/// The drawing, with its title and caption.
+const CONTENT: Content = Content::Drawing {
+    title: "Lobes around the reflection vector r: for the exponents 1, 10, 40 and 150 they are ever narrower, and all of the same length along r.",
+    caption: "The highlight $\\max(r \\cdot v, 0)^n$, drawn as a shape, a *lobe*: the brighter it is in a direction $v$, \
                   the further the lobe reaches. All lobes are equally long along $r$; a larger $n$ leaves less to the sides. \
                   Where a lobe crosses the dotted circle, the highlight is down to one half. \
                   <span class='move'>Turn the light, and let $n$ grow.</span>",
+    draw,
+};
+
+/// The lobes of several exponents, one of which the reader sets, and the light.
+pub fn figure() -> Figure {
+    Figure {
         parameters: vec![
-            Parameter::new(["n", "of one of the lobes", ""], 150.0, [1.0, 300.0], 1.0),
-            Parameter::new(["", "angle of the light", "°"], 45.0, [5.0, 50.0], 1.0),
+            Parameter::number(EXPONENT, "of one of the lobes", 150.0, [1.0, 300.0], 1.0)
+                .with_symbol("n"),
+            Parameter::number(ANGLE, "angle of the light", 45.0, [5.0, 50.0], 1.0).with_unit("°"),
         ],
-        handles: vec![Handle::of_angle("the light l", 1, VIEW, 0.85)],
-        ..Figure::new("lobes", draw)
+        handles: vec![Handle::of_angle("the light l", ANGLE, VIEW, 0.85)],
+        ..Figure::new("lobes", CONTENT)
     }
 }
 
-fn draw(values: &[f64]) -> Output {
-    let [reader_n, light_angle] = array(values);
-    let reader_n = reader_n as i32;
+fn draw(values: &ParameterValues) -> Drawing {
+    let reader_n = values[EXPONENT] as i32;
     // It is right of n by the angle of the light.
-    let r = DVec2::from_angle((90.0 - light_angle).to_radians());
+    let r = DVec2::from_angle((90.0 - values[ANGLE]).to_radians());
     let mut drawing = Drawing::new(300.0);
     drawing.line("plane", dvec2(30.0, 258.0), dvec2(450.0, 258.0));
     let on_lobe = |n: i32, v: DVec2| VIEW.to_drawing(r.dot(v).max(0.0).powi(n) * v);
@@ -51,5 +61,5 @@ fn draw(values: &[f64]) -> Output {
     }
     drawing.label("quiet start", dvec2(418.0, 90.0), "$n$ =");
     drawing.label("quiet", VIEW.origin + dvec2(-111.0, 22.0), "one half");
-    Output::Drawing(drawing)
+    drawing
 }

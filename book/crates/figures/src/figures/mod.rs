@@ -1,5 +1,5 @@
-//! The figures: each is drawn by the steps' own functions, where they have one for it. All begin
-//! with what is imported here.
+//! The drawings. Each is drawn by the steps' own functions, if they have one for it. All files
+//! begin with what is imported here.
 
 pub mod attenuation;
 pub mod ball_outlines;
@@ -18,7 +18,8 @@ pub mod scene_from_above;
 pub mod three_cases;
 
 use crate::{
-    Drawing, Figure, Handle, Mark, Numbers, Output, Parameter, View, array, collect_numbers,
-    direction_left_of_up, discriminant, format_number, format_rounded, format_vector, short_name,
+    Axis, Content, Drawing, Figure, Handle, Mark, Parameter, ParameterId, ParameterValues, PointId,
+    Readouts, View, collect_readouts, direction_left_of_up, discriminant, format_number,
+    format_rounded, format_vector, short_name,
 };
 use glam::{DVec2, DVec3, dvec2};

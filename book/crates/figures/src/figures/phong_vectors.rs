@@ -1,30 +1,42 @@
+//! The four unit vectors of the Phong terms.
+
 use super::*;
 use std::f64::consts::FRAC_PI_2;
 use step05_phong::reflect;
 
-/// The place of the hit in the drawing, and the length of 1.
+/// The position of the hit in the drawing, and the length of 1.
 const VIEW: View = View { origin: dvec2(240.0, 240.0), scale: DVec2::splat(190.0) };
+
+const ANGLE: ParameterId = ParameterId::new("angle");
+
+/// The drawing, with its title and caption.
+const CONTENT: Content = Content::Drawing {
+    title: "A point on a sphere with four unit vectors: n straight up out of the surface, l to the light on the left, r its mirror image on the right, and v to the eye, between n and r.",
+    caption: "The four vectors, each one unit long. $l$ and $r$ make the same angle with $n$, {{#number phong-vectors:angle}}°. \
+                  <span class='move'>Turn the light until it is behind the surface.</span>",
+    draw,
+};
 
 /// The unit vectors n, l, r and v in one plane, with a light to turn.
 pub fn figure() -> Figure {
-    let angle = Parameter::new(["α", "angle of the light", "°"], 30.0, [0.0, 110.0], 1.0);
+    let angle = Parameter::number(ANGLE, "angle of the light", 30.0, [0.0, 110.0], 1.0)
+        .with_symbol("α")
+        .with_unit("°");
     Figure {
-        title: "A point on a sphere with four unit vectors: n straight up out of the surface, l to the light on the left, r its mirror image on the right, and v to the eye, between n and r.",
-        caption: "The four vectors, each one unit long. $l$ and $r$ make the same angle with $n$, {{#number phong-vectors:angle}}°. \
-                  <span class='move'>Turn the light until it is behind the surface.</span>",
         parameters: vec![angle],
-        handles: vec![Handle::of_angle("the light l", 0, VIEW, 1.0)],
-        numbers: |values| collect_numbers([("angle", format_number(values[0]))]),
-        ..Figure::new("phong-vectors", draw)
+        handles: vec![Handle::of_angle("the light l", ANGLE, VIEW, 1.0)],
+        readouts: |values| collect_readouts([("angle", format_number(values[ANGLE]))]),
+        ..Figure::new("phong-vectors", CONTENT)
     }
 }
 
-fn draw(values: &[f64]) -> Output {
+fn draw(values: &ParameterValues) -> Drawing {
     let mut drawing = Drawing::new(320.0);
     let p = VIEW.origin;
     drawing.circle("object", p + dvec2(0.0, 300.0), 300.0);
-    let [n, l, v] = [0.0, values[0], -17.0].map(|angle| direction_left_of_up(angle).extend(0.0));
-    let angle = values[0].to_radians();
+    let [n, l, v] =
+        [0.0, values[ANGLE], -17.0].map(|angle| direction_left_of_up(angle).extend(0.0));
+    let angle = values[ANGLE].to_radians();
     drawing.arc("axis", p, 62.0, [FRAC_PI_2 - angle, FRAC_PI_2 + angle]);
     let arrows = [
         ("light", l, "$l$", dvec2(-20.0, -4.0)),
@@ -38,5 +50,5 @@ fn draw(values: &[f64]) -> Output {
         drawing.label("strong over", tip + shift, name);
     }
     drawing.dot("hit", p);
-    Output::Drawing(drawing)
+    drawing
 }

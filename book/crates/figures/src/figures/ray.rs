@@ -1,3 +1,5 @@
+//! A ray, and the points at several t on it.
+
 use super::*;
 use step01_rays::Ray;
 
@@ -7,91 +9,103 @@ const VIEW: View = View { origin: dvec2(104.0, 170.0), scale: dvec2(40.0, 40.0) 
 /// The way from the ray to V beside it, in the drawing.
 const BESIDE: DVec2 = dvec2(-6.0, -14.0);
 
+const START: PointId = PointId("the start S");
+
+/// V as its two numbers, which the handle at its tip sets.
+const V: PointId = PointId("the tip of V");
+const DISTANCE: ParameterId = ParameterId::new("distance");
+
+/// The drawing, with its title and caption.
+const CONTENT: Content = Content::Drawing {
+    title: "A ray that starts at S and goes along V, with the points at t = 0, 1, 2 and 3 on it, and one at t = -0.5 behind its start.",
+    caption: "Each step of $t$ by 1 is one $V$ further from $S$. Where $t$ is negative, the point is behind the start, and not on the ray. \
+                  $V$ has length {{#number ray:length}}, so the point at a distance of {{#number ray:distance}} from $S$ has $t = {{#number ray:t}}$. \
+                  <span class='move'>Make $V$ longer, and this same point gets a smaller $t$.</span>",
+    draw,
+};
+
 /// A ray in the plane z = 0 with the points at several t, and a point that keeps its distance
 /// from S when V is made longer.
 pub fn figure() -> Figure {
-    let start = Parameter::point([0.0, 0.0], [[-2.0, 7.0], [-0.5, 2.5]], 10.0);
-    let v = Parameter::point([2.4, 0.7], [[-4.0, 7.0], [-4.0, 4.0]], 10.0);
-    let distance = Parameter::new([""; 3], 5.0, [-2.0, 8.0], 10.0);
-    let v_at = |values: &[f64], place| VIEW.to_world(place - BESIDE) - dvec2(values[0], values[1]);
-    let point = |values: &[f64]| place(values, ray_and_t(values).1);
-    let distance_at = |values: &[f64], place| {
+    let start = Parameter::point(START, [0.0, 0.0], [[-2.0, 7.0], [-0.5, 2.5]], 10.0);
+    let v = Parameter::point(V, [2.4, 0.7], [[-4.0, 7.0], [-4.0, 4.0]], 10.0);
+    let distance_words = "the point's distance from S";
+    let distance = Parameter::number(DISTANCE, distance_words, 5.0, [-2.0, 8.0], 10.0);
+    let v_at =
+        |values: &ParameterValues, position| VIEW.to_world(position - BESIDE) - values.point(START);
+    let point = |values: &ParameterValues| position(values, ray_and_t(values).1);
+    let distance_at = |values: &ParameterValues, position| {
         let (ray, _) = ray_and_t(values);
-        let way = VIEW.to_world(place).extend(0.0) - ray.start;
+        let way = VIEW.to_world(position).extend(0.0) - ray.start;
         way.dot(ray.direction.normalize())
     };
     Figure {
-        title: "A ray that starts at S and goes along V, with the points at t = 0, 1, 2 and 3 on it, and one at t = -0.5 behind its start.",
-        caption: "Each step of $t$ by 1 is one $V$ further from $S$. Where $t$ is negative, the point is behind the start, and not on the ray. \
-                  $V$ has length {{#number ray:length}}, so the point at a distance of {{#number ray:distance}} from $S$ has $t = {{#number ray:t}}$. \
-                  <span class='move'>Make $V$ longer, and this same point gets a smaller $t$.</span>",
         parameters: start.into_iter().chain(v).chain([distance]).collect(),
         handles: vec![
-            Handle::of_point("the start S", 0, VIEW),
-            Handle::new("the tip of V", [2, 3], |values| Some(tip(values)), v_at),
-            Handle::of_one("the point's distance from S", 4, point, distance_at),
+            Handle::of_point(START, VIEW),
+            Handle::new(V.0, [V.x(), V.y()], |values| Some(tip(values)), v_at),
+            Handle::of_one(distance_words, DISTANCE, point, distance_at),
         ],
         is_allowed: |values| {
-            let is_long = 1.0 <= ray_and_t(values).0.direction.length();
-            is_long && is_in_drawing(place(values, 0.0)) && is_in_drawing(tip(values))
+            let is_long = ray_and_t(values).0.direction.length() >= 1.0;
+            is_long && is_in_drawing(position(values, 0.0)) && is_in_drawing(tip(values))
         },
-        numbers,
-        ..Figure::new("ray", draw)
+        readouts,
+        ..Figure::new("ray", CONTENT)
     }
 }
 
 /// The ray, and the t of the point.
-fn ray_and_t(values: &[f64]) -> (Ray, f64) {
-    let [s_x, s_y, v_x, v_y, distance] = array(values);
-    let [start, direction] = [dvec2(s_x, s_y), dvec2(v_x, v_y)].map(|point| point.extend(0.0));
-    (Ray { start, direction }, distance / direction.length())
+fn ray_and_t(values: &ParameterValues) -> (Ray, f64) {
+    let [start, direction] = [START, V].map(|point| values.point(point).extend(0.0));
+    (Ray { start, direction }, values[DISTANCE] / direction.length())
 }
 
-/// The place of r(t) in the drawing.
-fn place(values: &[f64], t: f64) -> DVec2 {
+/// The position of r(t) in the drawing.
+fn position(values: &ParameterValues, t: f64) -> DVec2 {
     VIEW.to_drawing(ray_and_t(values).0.at(t).truncate())
 }
 
-/// The place of the tip of V.
-fn tip(values: &[f64]) -> DVec2 {
-    place(values, 1.0) + BESIDE
+/// The position of the tip of V.
+fn tip(values: &ParameterValues) -> DVec2 {
+    position(values, 1.0) + BESIDE
 }
 
-fn is_in_drawing(place: DVec2) -> bool {
-    place.clamp(DVec2::splat(8.0), SIZE - 8.0) == place
+fn is_in_drawing(position: DVec2) -> bool {
+    position.clamp(DVec2::splat(8.0), SIZE - 8.0) == position
 }
 
-fn draw(values: &[f64]) -> Output {
-    let place = |t: f64| place(values, t);
-    let (s, v) = (place(0.0), place(1.0) - place(0.0));
+fn draw(values: &ParameterValues) -> Drawing {
+    let position = |t: f64| position(values, t);
+    let (s, v) = (position(0.0), position(1.0) - position(0.0));
     let mut drawing = Drawing::new(SIZE.y);
     let steps = (0..).map(|k| 0.1 * f64::from(k));
-    let end = steps.take_while(|t| is_in_drawing(place(*t))).last().unwrap_or(0.0);
+    let end = steps.take_while(|t| is_in_drawing(position(*t))).last().unwrap_or(0.0);
     drawing.line("guide", s - 90.0 * v.normalize(), s);
-    drawing.arrow("ray", s, place(end));
+    drawing.arrow("ray", s, position(end));
     drawing.arrow("vector", s + BESIDE, tip(values));
-    drawing.label("strong over", place(0.5) + BESIDE + dvec2(-6.0, -10.0), "$V$");
+    drawing.label("strong over", position(0.5) + BESIDE + dvec2(-6.0, -10.0), "$V$");
     drawing.label("strong over", s + dvec2(-18.0, -12.0), "$S$");
     // Below a ray that rises, and above one that falls.
     let shift = dvec2(8.0, if v.x * v.y <= 0.0 { 28.0 } else { -18.0 });
     for t in (-1..10).map(|k| f64::from(k).max(-0.5)) {
-        let label = place(t) + shift;
-        if is_in_drawing(place(t)) && is_in_drawing(label + dvec2(38.0, 0.0)) {
-            drawing.dot(if t < 0.0 { "behind" } else { "ray" }, place(t));
+        let label = position(t) + shift;
+        if is_in_drawing(position(t)) && is_in_drawing(label + dvec2(38.0, 0.0)) {
+            drawing.dot(if t < 0.0 { "behind" } else { "ray" }, position(t));
             drawing.label("quiet over start", label, &format!("$t$ = {}", format_number(t)));
         }
     }
     let (_, t) = ray_and_t(values);
     let sign = if t < 0.0 { '−' } else { '+' };
     let label = format!("$S$ {sign} {}$V$", format_rounded(t.abs(), 2));
-    drawing.label("over", place(t) + dvec2(-10.0, -24.0), &label);
-    Output::Drawing(drawing)
+    drawing.label("over", position(t) + dvec2(-10.0, -24.0), &label);
+    drawing
 }
 
-fn numbers(values: &[f64]) -> Numbers {
+fn readouts(values: &ParameterValues) -> Readouts {
     let (ray, t) = ray_and_t(values);
     let length = ray.direction.length();
-    collect_numbers([
+    collect_readouts([
         ("length", format_rounded(length, 2)),
         ("distance", format_rounded(t.abs() * length, 2)),
         ("t", format_rounded(t, 2)),

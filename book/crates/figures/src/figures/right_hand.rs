@@ -1,17 +1,22 @@
+//! The axes of the world, and the way a camera looks.
+
 use super::*;
 use step01_rays::Camera;
 
+/// The drawing, with its title and caption.
+const CONTENT: Content = Content::Drawing {
+    title: "Three axes from the point C: x to the right, y up, and z to the lower left, towards you. A dotted line goes from C the other way, along -z, away from you.",
+    caption: "Your right hand, palm towards you: thumb right, index finger up, middle finger bent towards you. \
+                  The camera looks the other way, along $-z$.",
+    draw,
+};
+
 /// The three axes from the front, and the way a camera looks.
 pub fn figure() -> Figure {
-    Figure {
-        title: "Three axes from the point C: x to the right, y up, and z to the lower left, towards you. A dotted line goes from C the other way, along -z, away from you.",
-        caption: "Your right hand, palm towards you: thumb right, index finger up, middle finger bent towards you. \
-                  The camera looks the other way, along $-z$.",
-        ..Figure::new("right-hand", draw)
-    }
+    Figure { ..Figure::new("right-hand", CONTENT) }
 }
 
-fn draw(_: &[f64]) -> Output {
+fn draw(_: &ParameterValues) -> Drawing {
     let view = View { origin: dvec2(180.0, 122.0), scale: DVec2::splat(92.0) };
     // The z axis, towards the reader, runs to the lower left.
     let project = |p: DVec3| view.to_drawing(p.truncate() + p.z * dvec2(-0.55, -0.42));
@@ -30,5 +35,5 @@ fn draw(_: &[f64]) -> Output {
     }
     drawing.dot("eye", c);
     drawing.label("strong end", c + dvec2(-12.0, -6.0), "$C$");
-    Output::Drawing(drawing)
+    drawing
 }

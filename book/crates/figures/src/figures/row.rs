@@ -1,38 +1,52 @@
+//! A row of rays in a plane.
+
 use super::*;
 use course::examples::row::Row;
 use std::f64::consts::PI;
 
-/// The place of C in the drawing.
+/// The position of C in the drawing.
 const ORIGIN: DVec2 = dvec2(240.0, 294.0);
+
+const RAYS: ParameterId = ParameterId::new("rays");
+const FIELD_OF_VIEW: ParameterId = ParameterId::new("field of view");
+const DIVIDES_BY_RAYS: ParameterId = ParameterId::new("divide by hRes");
+
+/// The drawing, with its title and caption.
+const CONTENT: Content = Content::Drawing {
+    title: "Seven rays fan out from the point C through a line at distance 1. An arrow V0 goes from C to the leftmost point on the line, and two arrows D step along the line from there, each to the next point.",
+    caption: "Follow $V_0$ to the first pixel; from there, every step $D$ leads to the next ray. \
+                  Here, $\\mathit{hRes} = {{#number row:hRes}}$, $\\theta = {{#number row:angle}}°$ and $D = ({{#number row:D}}, 0)$. \
+                  <span class='move'>Drag the tip of $V_0$ to make the view wider, and add rays.</span>",
+    draw,
+};
 
 /// A row of rays in 2D, with V_0 and D.
 pub fn figure() -> Figure {
     Figure {
-        title: "Seven rays fan out from the point C through a line at distance 1. An arrow V0 goes from C to the leftmost point on the line, and two arrows D step along the line from there, each to the next point.",
-        caption: "Follow $V_0$ to the first pixel; from there, every step $D$ leads to the next ray. \
-                  Here, $\\mathit{hRes} = {{#number row:hRes}}$, $\\theta = {{#number row:angle}}°$ and $D = ({{#number row:D}}, 0)$. \
-                  <span class='move'>Drag the tip of $V_0$ to make the view wider, and add rays.</span>",
         parameters: vec![
-            Parameter::new(["hRes", "rays", ""], 7.0, [2.0, 25.0], 1.0),
-            Parameter::new(["θ", "field of view", "°"], 60.0, [10.0, 150.0], 1.0),
-            Parameter::switch("divide the width by hRes, not by hRes − 1", false),
+            Parameter::number(RAYS, "rays", 7.0, [2.0, 25.0], 1.0).with_symbol("hRes"),
+            Parameter::number(FIELD_OF_VIEW, "field of view", 60.0, [10.0, 150.0], 1.0)
+                .with_symbol("θ")
+                .with_unit("°"),
+            Parameter::switch(DIVIDES_BY_RAYS, "divide the width by hRes, not by hRes − 1", false),
         ],
         handles: vec![Handle::of_one(
             "the tip of V0, which opens the field of view",
-            1,
+            FIELD_OF_VIEW,
             |values| view(&row(values)).to_drawing(row(values).direction(0.0)),
-            |values, place| 2.0 * view(&row(values)).degrees_left_of_up(place),
+            |values, position| 2.0 * view(&row(values)).degrees_left_of_up(position),
         )],
-        numbers,
-        ..Figure::new("row", draw)
+        readouts,
+        ..Figure::new("row", CONTENT)
     }
 }
 
-fn row(values: &[f64]) -> Row {
-    let [rays, degrees, divisor] = array(values);
-    let mut row = Row::new(rays as u32, degrees.to_radians());
-    // D divides by hRes − 1 if `divisor` is 0, and by hRes if it is 1.
-    row.matrix.x_axis *= (rays - 1.0) / (rays - 1.0 + divisor);
+fn row(values: &ParameterValues) -> Row {
+    let rays = values[RAYS];
+    let mut row = Row::new(rays as u32, values[FIELD_OF_VIEW].to_radians());
+    if values.is_on(DIVIDES_BY_RAYS) {
+        row.matrix.x_axis *= (rays - 1.0) / rays;
+    }
     row
 }
 
@@ -42,11 +56,11 @@ fn view(row: &Row) -> View {
     View { origin: ORIGIN, scale: DVec2::splat(205.0 * (0.84 / tan).min(1.0)) }
 }
 
-fn draw(values: &[f64]) -> Output {
+fn draw(values: &ParameterValues) -> Drawing {
     let row = row(values);
     let view = view(&row);
     let c = ORIGIN;
-    let directions = (0..values[0] as u32).map(|i| row.direction(f64::from(i)));
+    let directions = (0..values[RAYS] as u32).map(|i| row.direction(f64::from(i)));
     let directions: Vec<DVec2> = directions.collect();
     let (v_0, last) = (directions[0], directions.len() - 1);
     let tips: Vec<DVec2> = directions.iter().map(|&v| view.to_drawing(v)).collect();
@@ -79,13 +93,13 @@ fn draw(values: &[f64]) -> Output {
     drawing.label("quiet start", view.xy_to_drawing(tan, 0.5) + dvec2(10.0, 5.0), "1");
     let label = view.xy_to_drawing(tan / 2.0, 0.0) + dvec2(6.0, 22.0);
     drawing.label("quiet", label.max(c + dvec2(46.0, 0.0)), "tan($θ$/2)");
-    Output::Drawing(drawing)
+    drawing
 }
 
-fn numbers(values: &[f64]) -> Numbers {
-    collect_numbers([
-        ("hRes", format_number(values[0])),
-        ("angle", format_number(values[1])),
+fn readouts(values: &ParameterValues) -> Readouts {
+    collect_readouts([
+        ("hRes", format_number(values[RAYS])),
+        ("angle", format_number(values[FIELD_OF_VIEW])),
         ("D", format_number(row(values).matrix.x_axis.x)),
     ])
 }

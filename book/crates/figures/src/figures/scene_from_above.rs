@@ -1,3 +1,5 @@
+//! The scene from above, beside the picture of step 3.
+
 use super::*;
 use crate::pictures::step03;
 use crate::probe::probe_ray;
@@ -13,16 +15,21 @@ const SIDE: f64 = 13.0;
 /// The smallest and the largest t that is drawn.
 const T_RANGE: [f64; 2] = [-5.4, 13.2];
 
+/// The drawing, with its title and caption.
+const CONTENT: Content = Content::Drawing {
+    title: "The scene of step 3 from above: the eye, the ray of a pixel, and what the plane of its row cuts out of each sphere; the roots are marked on the ray.",
+    caption: "The scene from above, cut along row {{#number step03_nearest:j}}, with the ray of this pixel and \
+                  every root on what is drawn of its line. $V_z$ is $-1$, so $t$ is the depth.",
+    draw,
+};
+
 /// The scene from above, cut along the row of a pixel, and the ray of that pixel with every
 /// root on its line.
 pub fn figure() -> Figure {
     Figure {
-        title: "The scene of step 3 from above: the eye, the ray of a pixel, and what the plane of its row cuts out of each sphere; the roots are marked on the ray.",
-        caption: "The scene from above, cut along row {{#number step03_nearest:j}}, with the ray of this pixel and \
-                  every root on what is drawn of its line. $V_z$ is $-1$, so $t$ is the depth.",
         followed: Some("step03_nearest"),
         parameters: step03::figure().parameters,
-        ..Figure::new("scene-from-above", draw)
+        ..Figure::new("scene-from-above", CONTENT)
     }
 }
 
@@ -33,7 +40,7 @@ fn cut_outline(sphere: &Sphere, ray: &Ray) -> Option<Vec<DVec2>> {
     let normal = DVec3::X.cross(along);
     let height = sphere.centre.dot(normal);
     let square = sphere.radius * sphere.radius - height * height;
-    let radius = (0.0 < square).then(|| square.sqrt())?;
+    let radius = (square > 0.0).then(|| square.sqrt())?;
     let middle = dvec2(sphere.centre.x, sphere.centre.dot(along));
     let points = (0..90).map(|k| {
         let side = DVec2::from_angle(TAU * f64::from(k) / 90.0);
@@ -42,7 +49,7 @@ fn cut_outline(sphere: &Sphere, ray: &Ray) -> Option<Vec<DVec2>> {
     Some(points.collect())
 }
 
-fn draw(values: &[f64]) -> Output {
+fn draw(values: &ParameterValues) -> Drawing {
     let ray = probe_ray(values);
     let nearest_hit = nearest(&OBJECTS, &ray);
     let mut drawing = Drawing::new(330.0);
@@ -59,23 +66,23 @@ fn draw(values: &[f64]) -> Output {
         let is_hit = nearest_hit.is_some_and(|hit| hit.object.sphere == *sphere);
         drawing.area(if is_hit { "object seen" } else { "object" }, outline.iter().copied());
         let middle = outline.iter().sum::<DVec2>() / outline.len() as f64;
-        let place = middle.max(dvec2(0.0, 16.0)) + dvec2(0.0, 5.0);
-        drawing.label("quiet", place, short_name(name));
+        let position = middle.max(dvec2(0.0, 16.0)) + dvec2(0.0, 5.0);
+        drawing.label("quiet", position, short_name(name));
     }
-    let place = |t: f64| VIEW.xy_to_drawing(ray.at(t).x, t);
-    drawing.line("guide", place(T_RANGE[0]), place(0.0));
-    drawing.arrow("ray", place(0.0), place(T_RANGE[1]));
-    drawing.dot("eye", place(0.0));
+    let position = |t: f64| VIEW.xy_to_drawing(ray.at(t).x, t);
+    drawing.line("guide", position(T_RANGE[0]), position(0.0));
+    drawing.arrow("ray", position(0.0), position(T_RANGE[1]));
+    drawing.dot("eye", position(0.0));
     let roots = OBJECTS.iter().flat_map(|object| object.sphere.intersect(&ray));
     for t in roots.filter(|t| (T_RANGE[0]..T_RANGE[1]).contains(t)) {
-        drawing.dot(if t < 0.0 { "behind" } else { "ray" }, place(t));
+        drawing.dot(if t < 0.0 { "behind" } else { "ray" }, position(t));
     }
     if let Some(t) = nearest_hit.map(|hit| hit.t) {
         let label = format!("$t$ = {}", format_rounded(t, 2));
         let right = VIEW.xy_to_drawing(SIDE, t);
-        drawing.line("guide", place(t), right);
+        drawing.line("guide", position(t), right);
         drawing.label("hit small end", right + dvec2(0.0, -5.0), &label);
-        drawing.dot("hit", place(t));
+        drawing.dot("hit", position(t));
     }
-    Output::Drawing(drawing)
+    drawing
 }

@@ -1,27 +1,41 @@
+//! The three cases of a quadratic: a ray misses a circle, touches it or crosses it.
+
 use super::*;
 use step02_sphere::{Ray, Sphere};
 
 const SPHERE: Sphere = Sphere { centre: DVec3::ZERO, radius: 1.0 };
 
+/// The starts of the rays, from left to right, and the y of each by default.
+const STARTS: [(PointId, f64); 3] = [
+    (PointId("the start of the left ray"), 1.375),
+    (PointId("the start of the middle ray"), 1.0),
+    (PointId("the start of the right ray"), 0.4375),
+];
+
 /// The x from which and to which a ray is drawn.
 const X_RANGE: [f64; 2] = [-2.125, 2.125];
+
+/// The drawing, with its title and caption.
+const CONTENT: Content = Content::Drawing {
+    title: "Three rays and a circle, each above the parabola at² + bt + c. Left: the ray misses and the parabola stays above the axis. Middle: the ray touches and the parabola touches the axis once. Right: the ray crosses and the parabola cuts the axis twice.",
+    caption: "The three cases. Where the curve $at^2 + bt + c$ is 0, the line of the ray meets the circle, at the \
+                  point straight above. The sign of $D$ says which case it is before any root is known. \
+                  <span class='move'>Drag a ray until it touches.</span>",
+    draw,
+};
 
 /// Three rays and a circle, each above its parabola at² + bt + c.
 pub fn figure() -> Figure {
     let ranges = [[-2.25, 1.5], [-1.5, 1.5]];
-    let handles = ["left", "middle", "right"].iter().enumerate().map(|(case, name)| {
-        Handle::of_point(&format!("the start of the {name} ray"), 2 * case, circle_view(case))
-    });
+    let handles = STARTS.iter().enumerate();
     Figure {
-        title: "Three rays and a circle, each above the parabola at² + bt + c. Left: the ray misses and the parabola stays above the axis. Middle: the ray touches and the parabola touches the axis once. Right: the ray crosses and the parabola cuts the axis twice.",
-        caption: "The three cases. Where the curve $at^2 + bt + c$ is 0, the line of the ray meets the circle, at the \
-                  point straight above. The sign of $D$ says which case it is before any root is known. \
-                  <span class='move'>Drag a ray until it touches.</span>",
-        parameters: [1.375, 1.0, 0.4375]
-            .map(|y| Parameter::point([-2.125, y], ranges, 16.0))
+        parameters: STARTS
+            .map(|(start, y)| Parameter::point(start, [-2.125, y], ranges, 16.0))
             .concat(),
-        handles: handles.collect(),
-        ..Figure::new("three-cases", draw)
+        handles: handles
+            .map(|(case, (start, _))| Handle::of_point(*start, circle_view(case)))
+            .collect(),
+        ..Figure::new("three-cases", CONTENT)
     }
 }
 
@@ -31,14 +45,14 @@ fn circle_view(case: usize) -> View {
     View { origin: dvec2(x, 112.0), scale: DVec2::splat(33.0) }
 }
 
-fn draw(values: &[f64]) -> Output {
+fn draw(values: &ParameterValues) -> Drawing {
     let mut drawing = Drawing::new(346.0);
-    for (case, start) in values.chunks_exact(2).map(DVec2::from_slice).enumerate() {
-        let ray = Ray { start: start.extend(0.0), direction: DVec3::X };
+    for (case, (start, _)) in STARTS.iter().enumerate() {
+        let ray = Ray { start: values.point(*start).extend(0.0), direction: DVec3::X };
         draw_case(&mut drawing, &ray, circle_view(case));
     }
     drawing.label("", dvec2(240.0, 334.0), "$at$² + $bt$ + $c$ along each ray");
-    Output::Drawing(drawing)
+    drawing
 }
 
 fn draw_case(drawing: &mut Drawing, ray: &Ray, circle_view: View) {

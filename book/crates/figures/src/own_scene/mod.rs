@@ -1,80 +1,71 @@
-//! A scene of the reader's own: the picture of step 5 with everything in it to set, and
-//! its Rust.
+//! A scene of the reader's own: the picture of step 5 with everything in it to set, and its Rust.
 
 mod parameters;
 
 use crate::probe::SIZE;
-use crate::{Figure, Handle, Mark, Output, Parameter, collect_numbers};
-use course::{Owner, format_scene_program};
-use glam::DVec3;
-use parameters::{PARAMETERS, Target, own_scene};
+use crate::{COLUMNS, Content, EditableScene, Figure, Handle, Mark, ParameterId, ParameterValues};
+use course::{CHANNELS, COORDINATES, Owner, format_scene_program};
+use parameters::{PARAMETERS, Target, complete_scene, own_scene};
 use step05_phong::nearest;
 
 /// The picture of the scene.
 pub fn figure() -> Figure {
-    // The switch of a sphere or light comes before its position.
-    let handles = PARAMETERS.iter().enumerate().filter_map(|(k, (target, parameter))| {
-        let Target::Presence(owner, _) = *target else { return None };
-        let mark = if owner == Owner::Light { Mark::Light } else { Mark::Point };
-        let camera_and_point = move |values: &[f64]| {
-            let point = DVec3::from_slice(&values[k + 1..]);
-            (values[k] == 1.0).then(|| (own_scene(values).camera(SIZE.x), point))
-        };
-        Some(Handle { mark, ..Handle::in_picture(parameter.group, k + 1, 0.0, camera_and_point) })
+    let handles = PARAMETERS.iter().filter_map(|(target, presence)| match *target {
+        Target::Presence(owner, k) => Some(handle(owner, k, presence.id)),
+        Target::Mirrors | Target::Scalar(..) => None,
     });
-    // The first parameter is the columns.
-    let draw = |values: &[f64]| Output::Pixels(own_scene(values).picture(values[0]));
+    let draw = |values: &ParameterValues, columns| own_scene(values).picture(columns);
     Figure {
         parameters: PARAMETERS.iter().map(|(_, parameter)| parameter.clone()).collect(),
         handles: handles.collect(),
-        numbers: |values| {
-            collect_numbers([
-                ("rust", format_scene_program(&own_scene(values))),
-                ("address", format_address(values)),
-            ])
-        },
-        group_at: |values, place| {
-            let own = own_scene(values);
-            let pixel = place - 0.5;
-            let ray = own.camera(SIZE.x).ray(pixel.x, pixel.y);
-            nearest(&own.scene.objects, &ray).map(|hit| hit.object.name)
-        },
+        editable_scene: Some(EditableScene {
+            program: |values| format_scene_program(&own_scene(values)),
+            object_at: |values, position| {
+                let own = own_scene(values);
+                let pixel = position - 0.5;
+                let ray = own.camera(COLUMNS).ray(pixel.x, pixel.y);
+                nearest(&own.scene.objects, &ray).map(|hit| hit.object.name)
+            },
+            colours: colours(),
+        }),
         is_allowed: |values| {
             let own = own_scene(values);
             own.position != own.target
         },
-        ..Figure::new("own_scene", draw)
+        ..Figure::new("own_scene", Content::Picture { draw })
     }
 }
 
-/// The part of an address that keeps a scene: the values that differ from the defaults, such as
-/// `red-sphere-radius:2,camera-field-of-view:45`.
-fn format_address(values: &[f64]) -> String {
-    let pairs = PARAMETERS.iter().map(|(_, parameter)| parameter).zip(values).skip(1);
-    let different = pairs.filter(|(parameter, value)| parameter.default != **value);
-    let parts = different.map(|(parameter, value)| format!("{}:{value}", key(parameter)));
-    parts.collect::<Vec<_>>().join(",")
-}
-
-/// The values at an address, or a sentence that says what is wrong with it.
-pub fn parse_address(figure: &Figure, address: &str) -> Result<Vec<f64>, String> {
-    let mut values = figure.default_values();
-    for part in address.split(',').filter(|part| !part.is_empty()) {
-        let (name, value) = part.split_once(':').unwrap_or((part, ""));
-        let mut parameters = figure.parameters.iter().enumerate().skip(1);
-        let (index, parameter) = parameters.find(|(_, one)| key(one) == name).ok_or_else(|| {
-            format!("The address speaks of “{name}”, and nothing here is called so.")
-        })?;
-        let [min, max] = parameter.range;
-        let number = value.parse().ok().filter(|number| (min..=max).contains(number));
-        values[index] = number.ok_or_else(|| {
-            format!("The address says “{value}” for {name}; allowed are {min} to {max}.")
-        })?;
+/// The handle of the sphere or the light of index `k`, which is there while the switch `presence`
+/// is on.
+fn handle(owner: Owner, k: usize, presence: ParameterId) -> Handle {
+    let camera_and_point = move |values: &ParameterValues| {
+        values.is_on(presence).then(|| {
+            let own = complete_scene(values);
+            let point = match owner {
+                Owner::Light => own.scene.lights[k].point_light.position,
+                _ => own.scene.objects[k].sphere.centre,
+            };
+            (own.camera(SIZE.x as u32), point)
+        })
+    };
+    let object = presence.object().unwrap_or_default();
+    let [x, y, z] = COORDINATES.map(|words| ParameterId::of(object, words));
+    Handle {
+        mark: if owner == Owner::Light { Mark::Light } else { Mark::Point },
+        depth: Some(z),
+        presence: Some(presence),
+        ..Handle::in_picture(object, [x, y], 0.0, camera_and_point)
     }
-    figure.snap_if_allowed(&values).ok_or("There is nothing to show at this address.".into())
 }
 
-/// The name of a parameter in an address, which has all but the first, the columns.
-fn key(parameter: &Parameter) -> String {
-    format!("{} {}", parameter.group, parameter.words).replace(' ', "-")
+/// The objects that have a colour, and the parameters of its channels.
+fn colours() -> Vec<(&'static str, [ParameterId; 3])> {
+    let ids: Vec<_> = PARAMETERS.iter().map(|(_, parameter)| parameter.id).collect();
+    let mut objects: Vec<_> = ids.iter().filter_map(|id| id.object()).collect();
+    objects.dedup();
+    let objects = objects
+        .into_iter()
+        .map(|object| (object, CHANNELS.map(|channel| ParameterId::of(object, channel))));
+    objects.filter(|(_, channels)| channels.iter().all(|id| ids.contains(id))).collect()
 }

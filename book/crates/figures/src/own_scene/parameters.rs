@@ -1,103 +1,101 @@
-//! The parameters of the reader's own scene: the columns, then the numbers of the camera, of
-//! the ambient light, of the spheres and of the lights, and the switches among them. Three
-//! spheres and a light are switched off at first, and so are shadows and mirrors.
+//! The parameters of the reader's own scene: the numbers of the camera, of the ambient light, of
+//! the spheres and of the lights, and the switches among them. By default, three spheres and a
+//! light are switched off, and so are shadows and mirrors.
 
-use crate::Parameter;
-use crate::probe::columns_parameter;
+use crate::{Axis, Parameter, ParameterId, ParameterValues};
 use course::examples::mirror::mirrors;
 use course::examples::own_scene::{ball, lamp};
-use course::{OwnScene, Owner, QUANTITIES, Quantity};
-use std::iter::zip;
+use course::{COORDINATES, OwnScene, Owner, QUANTITIES, Scalar};
 use std::sync::LazyLock;
 use step05_phong::{OBJECTS, scene};
+
+const MIRRORS: ParameterId = ParameterId::of("the way back", "shadows and mirrors");
 
 /// What a parameter sets.
 #[derive(Clone, Copy)]
 pub enum Target {
-    /// The columns of the picture.
-    Columns,
     /// Whether there are shadows and mirrors.
     Mirrors,
-    /// Whether the scene has the object or light of this number.
+    /// Whether the scene has the object or light of this index.
     Presence(Owner, usize),
-    /// The number of this place in a quantity of an owner.
-    Number(&'static Quantity, usize, usize),
+    /// A number of the owner of this index.
+    Scalar(&'static Scalar, usize),
 }
 
 /// All parameters, and what each sets.
 pub static PARAMETERS: LazyLock<Vec<(Target, Parameter)>> = LazyLock::new(|| {
     let own = largest_scene();
-    let switch = |words, group, is_on| Parameter { group, ..Parameter::switch(words, is_on) };
-    // A picture that is kept is drawn large.
-    let columns = Parameter { range: [2.0, 3840.0], ..columns_parameter() };
-    let mut parameters = vec![(Target::Columns, columns)];
-    parameters.extend(numbers(&own, Owner::Camera, 0, "camera"));
-    parameters.extend(numbers(&own, Owner::Scene, 0, "ambient light"));
-    let mirrors = switch("shadows and mirrors", "the way back", false);
-    parameters.push((Target::Mirrors, mirrors));
+    let mut parameters = vec![];
+    parameters.extend(scalars(&own, Owner::Camera, 0, "camera"));
+    parameters.extend(scalars(&own, Owner::Scene, 0, "ambient light"));
+    parameters.push((Target::Mirrors, Parameter::switch(MIRRORS, "shadows and mirrors", false)));
     for (k, object) in own.scene.objects.iter().enumerate() {
-        let presence = switch("in the scene", object.name, k < OBJECTS.len());
+        let id = ParameterId::of(object.name, "in the scene");
+        let presence = Parameter::switch(id, "in the scene", k < OBJECTS.len());
         parameters.push((Target::Presence(Owner::Object, k), presence));
-        parameters.extend(numbers(&own, Owner::Object, k, object.name));
+        parameters.extend(scalars(&own, Owner::Object, k, object.name));
     }
     for (k, name) in ["warm light", "cool light", "third light"].into_iter().enumerate() {
-        parameters.push((Target::Presence(Owner::Light, k), switch("on", name, k < 2)));
-        parameters.extend(numbers(&own, Owner::Light, k, name));
+        let presence = Parameter::switch(ParameterId::of(name, "on"), "on", k < 2);
+        parameters.push((Target::Presence(Owner::Light, k), presence));
+        parameters.extend(scalars(&own, Owner::Light, k, name));
     }
     parameters
 });
 
-/// The parameters for the numbers of the owner k.
-fn numbers(
+/// The parameters for the numbers of the owner of index `k`, which is called `name`.
+fn scalars(
     own: &OwnScene,
     owner: Owner,
     k: usize,
-    group: &'static str,
+    name: &'static str,
 ) -> impl Iterator<Item = (Target, Parameter)> {
     let quantities = QUANTITIES.iter().filter(move |quantity| quantity.owner == owner);
-    quantities.flat_map(move |quantity| {
-        let defaults = (quantity.get)(own, k);
-        let ground_ranges = quantity.ground_ranges.filter(|_| group == "ground");
-        quantity.numbers.iter().enumerate().map(move |(place, number)| {
-            let course::Number { symbol, words, unit, range, steps_per_unit } = *number;
-            let range = ground_ranges.map_or(range, |ranges| ranges[place]);
-            let names = [symbol, words, unit];
-            let parameter = Parameter::new(names, defaults[place], range, steps_per_unit);
-            let mut parameter = Parameter { group, ..parameter };
-            if quantity.needs_mirrors {
-                parameter.has_control = |_, values| own_scene(values).has_mirrors;
-            }
-            (Target::Number(quantity, k, place), parameter)
-        })
+    quantities.flat_map(|quantity| quantity.scalars).map(move |scalar| {
+        let id = ParameterId::of(name, scalar.words);
+        let range = scalar.ground_range.filter(|_| name == "ground").unwrap_or(scalar.range);
+        let default = scalar.get(own, k);
+        let parameter = Parameter::number(id, scalar.words, default, range, scalar.steps_per_unit)
+            .with_symbol(scalar.symbol)
+            .with_unit(scalar.unit);
+        let axes = [Some(Axis::Right), Some(Axis::Up), None];
+        let coordinate = COORDINATES.iter().position(|words| *words == scalar.words);
+        let has_control: fn(&Parameter, &ParameterValues) -> bool = match scalar.needs_mirrors {
+            true => |_, values| values.is_on(MIRRORS),
+            false => |_, _| true,
+        };
+        let axis = coordinate.and_then(|axis| axes[axis]);
+        (Target::Scalar(scalar, k), Parameter { axis, has_control, ..parameter })
     })
 }
 
-/// The scene of these values of all parameters.
-pub fn own_scene(values: &[f64]) -> OwnScene {
-    let mut own = largest_scene();
-    let mut absent = vec![];
-    for ((target, _), &value) in zip(&*PARAMETERS, values) {
+/// The scene of these values, without what is switched off.
+pub fn own_scene(values: &ParameterValues) -> OwnScene {
+    let mut own = complete_scene(values);
+    // From the last, so that the others keep their indices.
+    for (target, parameter) in PARAMETERS.iter().rev() {
         match *target {
-            Target::Mirrors => own.has_mirrors = value == 1.0,
-            Target::Presence(owner, k) if value == 0.0 => absent.push((owner, k)),
-            Target::Columns | Target::Presence(..) => {}
-            Target::Number(quantity, k, place) => {
-                let mut numbers = match quantity.numbers {
-                    [_] => [value; 3],
-                    _ => (quantity.get)(&own, k),
-                };
-                numbers[place] = value;
-                (quantity.set)(&mut own, k, numbers);
+            Target::Presence(owner, k) if !values.is_on(parameter.id) => {
+                if owner == Owner::Object {
+                    own.scene.objects.remove(k);
+                    own.mirror_parts.remove(k);
+                } else {
+                    own.scene.lights.remove(k);
+                }
             }
+            Target::Presence(..) | Target::Mirrors | Target::Scalar(..) => {}
         }
     }
-    // From the last, so that the others keep their numbers.
-    for (owner, k) in absent.into_iter().rev() {
-        if owner == Owner::Object {
-            own.scene.objects.remove(k);
-            own.mirror_parts.remove(k);
-        } else {
-            own.scene.lights.remove(k);
+    own
+}
+
+/// The scene of these values, with what is switched off.
+pub fn complete_scene(values: &ParameterValues) -> OwnScene {
+    let mut own = largest_scene();
+    own.has_mirrors = values.is_on(MIRRORS);
+    for (target, parameter) in &*PARAMETERS {
+        if let Target::Scalar(scalar, k) = *target {
+            scalar.set(&mut own, k, values[parameter.id]);
         }
     }
     own

@@ -1,11 +1,23 @@
-use super::step05::object_parameters;
-use crate::probe::{draw_picture, probe_ray, probed_picture};
+//! The picture of the example `mirror`, and the way of a pixel's ray from mirror to mirror.
+
+use super::pixel_trace::describe_hit;
+use super::step05::object_parameter;
+use crate::probe::{I, J, draw_picture, probe_ray, probed_picture};
 use crate::{
-    Figure, Numbers, Parameter, array, collect_numbers, format_number, format_vector, short_name,
+    Figure, Parameter, ParameterId, ParameterValues, Readouts, collect_readouts, format_number,
+    format_vector, short_name,
 };
 use course::examples::mirror::{Mirror, colour, mirrors};
 use glam::DVec3;
 use step05_phong::{Light, Ray, Scene, reflect, rgb8, visible_point};
+
+const DEPTH: ParameterId = ParameterId::new("depth");
+const OFFSET: ParameterId = ParameterId::new("offset");
+
+/// The k of an object.
+fn k(object: &'static str) -> ParameterId {
+    ParameterId::of(object, "k")
+}
 
 /// The offsets, written as in the listing.
 const OFFSETS: &[&str] = &[
@@ -20,16 +32,18 @@ const MAX_DEPTH: u32 = 10;
 /// the object at the probe to set.
 pub fn figure() -> Figure {
     let depth = f64::from(MAX_DEPTH);
-    let depth = Parameter::new(["", "depth", ""], depth, [0.0, depth], 1.0);
-    let offset = Parameter::choice("offset", 8.0, OFFSETS);
-    let ks = mirrors().objects.into_iter().map(|object| object.material.k);
-    let ks = object_parameters("k", ks, [0.0, 1.0], 20.0);
-    let parameters = [depth, offset].into_iter().chain(ks).collect();
+    let depth = Parameter::number(DEPTH, "depth", depth, [0.0, depth], 1.0);
+    let offset = Parameter::choice(OFFSET, "offset", 8.0, OFFSETS);
+    let ks = mirrors().objects.into_iter().map(|object| {
+        let default = object.material.k;
+        object_parameter(k(object.name), object.name, default, [0.0, 1.0], 20.0).with_symbol("k")
+    });
+    let parameters = [depth, offset].into_iter().chain(ks);
     Figure {
-        numbers,
-        ..probed_picture("mirror", [168.0, 295.0], parameters, |values| {
+        readouts,
+        ..probed_picture("mirror", [168.0, 295.0], parameters, |values, columns| {
             let mirrors = Mirrors::new(values);
-            draw_picture(values, |ray| mirrors.colour(ray, mirrors.depth))
+            draw_picture(columns, |ray| mirrors.colour(ray, mirrors.depth))
         })
     }
 }
@@ -41,15 +55,13 @@ struct Mirrors {
 }
 
 impl Mirrors {
-    fn new(values: &[f64]) -> Self {
-        let (first, ks) = values[3..].split_at(2);
-        let [depth, choice] = array(first);
-        let offset = OFFSETS[choice as usize].parse().unwrap_or_default();
+    fn new(values: &ParameterValues) -> Self {
         let mut scene = mirrors();
-        for (object, k) in scene.objects.iter_mut().zip(ks) {
-            object.material.k = *k;
+        for object in &mut scene.objects {
+            object.material.k = values[k(object.name)];
         }
-        Self { depth: depth as u32, offset, scene }
+        let offset = values.choice(OFFSET, OFFSETS).parse().unwrap_or_default();
+        Self { depth: values[DEPTH] as u32, offset, scene }
     }
 
     /// The colour that `ray` sees by way of at most `depth` mirrors.
@@ -57,7 +69,7 @@ impl Mirrors {
         colour(&self.scene, ray, depth, self.offset)
     }
 
-    /// The object, t, k and I of what `ray` meets, and the mirrored ray.
+    /// The object, t, k and I of what `ray` meets, and the mirrored ray if it is followed.
     fn trace_hit(&self, ray: &Ray, depth: u32) -> ([String; 4], Option<Ray>) {
         let objects = &self.scene.objects;
         let intensity = format_vector(self.colour(ray, depth));
@@ -73,14 +85,15 @@ impl Mirrors {
     }
 }
 
-/// The way of the probe's ray, row by row; the numbers of rows that it does not have are empty.
-fn numbers(values: &[f64]) -> Numbers {
+/// The way of the probe's ray, row by row; the readouts of rows that it doesn't have are empty.
+fn readouts(values: &ParameterValues) -> Readouts {
     let mirrors = Mirrors::new(values);
     let ray = probe_ray(values);
     let bytes = rgb8(mirrors.colour(&ray, mirrors.depth)).0;
-    let mut numbers = collect_numbers([
-        ("i", format_number(values[0])),
-        ("j", format_number(values[1])),
+    let mut readouts = collect_readouts([
+        ("i", format_number(values[I])),
+        ("j", format_number(values[J])),
+        ("seen", describe_hit(&mirrors.scene.objects, &ray)),
         ("bytes", format_vector(bytes.map(f64::from))),
     ]);
     let mut ray = Some(ray);
@@ -88,8 +101,8 @@ fn numbers(values: &[f64]) -> Numbers {
         let hit = ray.map(|ray| mirrors.trace_hit(&ray, mirrors.depth - k));
         let (row, mirrored) = hit.unwrap_or_default();
         let names = ["object", "t", "k", "I"].map(|name| format!("{name}{k}"));
-        numbers.extend(names.into_iter().zip(row));
+        readouts.extend(names.into_iter().zip(row));
         ray = mirrored;
     }
-    numbers
+    readouts
 }

@@ -1,4 +1,4 @@
-//! The interactive pictures, each drawn by its step or example.
+//! The pictures, each drawn by its step or example.
 
 pub mod mirror;
 mod pixel_trace;

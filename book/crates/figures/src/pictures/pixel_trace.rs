@@ -1,7 +1,9 @@
 //! The trace of a pixel: every number on the way from its ray to its three bytes.
 
-use crate::probe::probe_ray;
-use crate::{Numbers, collect_numbers, format_number, format_vector, short_name};
+use crate::probe::{I, J, probe_ray};
+use crate::{
+    ParameterValues, Readouts, collect_readouts, format_number, format_vector, short_name,
+};
 use glam::DVec3;
 use step01_rays::{Ray, direction_colour, rgb8};
 use step02_sphere::Sphere;
@@ -15,20 +17,31 @@ pub fn discriminant(sphere: &Sphere, ray: &Ray) -> f64 {
     b * b - 4.0 * a * c
 }
 
-/// The trace of the probe's pixel, but for what lies between the point and the colour.
+/// What a ray meets first: an object and its t, or the sky.
+pub fn describe_hit<M>(objects: &[Object<M>], ray: &Ray) -> String {
+    match nearest(objects, ray) {
+        Some(Hit { object, t }) => {
+            format!("{}, t = {}", short_name(object.name), format_number(t))
+        }
+        None => "sky".to_owned(),
+    }
+}
+
+/// The trace of the probe's pixel, except for what is between the point and the colour.
 pub fn trace_pixel<M>(
-    values: &[f64],
+    values: &ParameterValues,
     objects: &[Object<M>],
     colour: impl Fn(&Ray) -> DVec3,
-) -> Numbers {
+) -> Readouts {
     let ray = probe_ray(values);
-    let mut numbers = collect_numbers([
-        ("i", format_number(values[0])),
-        ("j", format_number(values[1])),
+    let mut readouts = collect_readouts([
+        ("i", format_number(values[I])),
+        ("j", format_number(values[J])),
         ("V", format_vector(ray.direction)),
         ("length", format_number(ray.direction.length())),
         ("sum", format_vector(colour(&ray))),
         ("bytes", format_vector(rgb8(colour(&ray)).0.map(f64::from))),
+        ("seen", describe_hit(objects, &ray)),
     ]);
     for (k, Object { sphere, .. }) in objects.iter().enumerate() {
         let (a, b, c) = sphere.coefficients(&ray);
@@ -43,7 +56,7 @@ pub fn trace_pixel<M>(
             ("near", format_root(roots.into_iter().next())),
             ("far", format_root(roots.into_iter().last())),
         ];
-        numbers.extend(row.map(|(name, text)| (format!("{name}{k}"), text)));
+        readouts.extend(row.map(|(name, text)| (format!("{name}{k}"), text)));
     }
     // A ray has either a nearest hit or a colour of the sky; the other is empty.
     let [object, t, p, sky] = match nearest(objects, &ray) {
@@ -52,19 +65,19 @@ pub fn trace_pixel<M>(
         }
         None => ["".into(), "".into(), "".into(), format_vector(direction_colour(&ray))],
     };
-    numbers.extend(collect_numbers([("object", object), ("t", t), ("p", p), ("sky", sky)]));
-    numbers
+    readouts.extend(collect_readouts([("object", object), ("t", t), ("p", p), ("sky", sky)]));
+    readouts
 }
 
-/// The numbers from the point at the probe to the terms, and those of each light;
-/// empty for the sky.
-pub fn trace_shading(values: &[f64], scene: &Scene<Material, Light>) -> Numbers {
+/// The numbers from the point at the probe to the terms, and those of each light; empty for the
+/// sky.
+pub fn trace_shading(values: &ParameterValues, scene: &Scene<Material, Light>) -> Readouts {
     let ray = &probe_ray(values);
-    let Some(point) = visible_point(&scene.objects, ray) else { return Numbers::new() };
+    let Some(point) = visible_point(&scene.objects, ray) else { return Readouts::new() };
     let (p, n, material) = (point.p, point.n, point.material());
     let terms = phong(&point, ray, scene.ambient_light, &scene.lights);
     let v = -ray.direction.normalize();
-    let mut numbers = collect_numbers([
+    let mut readouts = collect_readouts([
         ("n", format_vector(n)),
         ("v", format_vector(v)),
         ("shininess", material.shininess.to_string()),
@@ -89,7 +102,7 @@ pub fn trace_shading(values: &[f64], scene: &Scene<Material, Light>) -> Numbers 
             ("power", format_number(power)),
             ("specular", format_vector(terms.specular)),
         ];
-        numbers.extend(column.map(|(name, text)| (format!("{name} {name_of_light}"), text)));
+        readouts.extend(column.map(|(name, text)| (format!("{name} {name_of_light}"), text)));
     }
-    numbers
+    readouts
 }

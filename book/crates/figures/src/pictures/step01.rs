@@ -1,36 +1,45 @@
-use crate::{Figure, Output, Parameter, array};
+//! The picture of step 1, with its camera to set.
+
+use crate::{Content, Figure, Parameter, ParameterId, ParameterValues};
 use step01_rays::{AspectRatio, Camera, direction_colour, render};
 
-/// The lecture's four aspect ratios, as the control shows them.
-const ASPECT_RATIOS: &[&str] = &["4:3", "16:9", "2.35:1", "2.59:1"];
+pub const FIELD_OF_VIEW: ParameterId = ParameterId::new("field of view");
+pub const ASPECT_RATIO: ParameterId = ParameterId::new("aspect ratio");
+pub const COLUMNS: ParameterId = ParameterId::new("columns");
+
+/// The lecture's four aspect ratios, and how the control shows them.
+const ASPECT_RATIOS: [AspectRatio; 4] = [
+    AspectRatio { width: 4.0, height: 3.0 },
+    AspectRatio { width: 16.0, height: 9.0 },
+    AspectRatio { width: 2.35, height: 1.0 },
+    AspectRatio { width: 2.59, height: 1.0 },
+];
+const ASPECT_RATIO_NAMES: &[&str] = &["4:3", "16:9", "2.35:1", "2.59:1"];
 
 /// The picture of step 1, with its camera to set.
 pub fn figure() -> Figure {
-    let parameters = vec![
-        Parameter::new(["θ", "field of view", "°"], 60.0, [1.0, 179.0], 1.0),
-        aspect_ratio_parameter(),
-        Parameter::new(["hRes", "columns", ""], 640.0, [2.0, 640.0], 1.0),
-    ];
-    let draw = |values: &[f64]| Output::Pixels(render(&camera(values), 1, direction_colour));
-    Figure { parameters, ..Figure::new("step01_rays", draw) }
+    let draw = |values: &ParameterValues, columns: u32| {
+        render(&camera(values, columns.min(values[COLUMNS] as u32)), 1, direction_colour)
+    };
+    Figure {
+        parameters: vec![
+            Parameter::number(FIELD_OF_VIEW, "field of view", 60.0, [1.0, 179.0], 1.0)
+                .with_symbol("θ")
+                .with_unit("°"),
+            aspect_ratio_parameter(),
+            Parameter::number(COLUMNS, "columns", 640.0, [2.0, 640.0], 1.0).with_symbol("hRes"),
+        ],
+        ..Figure::new("step01_rays", Content::Picture { draw })
+    }
 }
 
 /// The choice of an aspect ratio; 16:9 is the default.
 pub fn aspect_ratio_parameter() -> Parameter {
-    Parameter::choice("aspect ratio", 1.0, ASPECT_RATIOS)
+    Parameter::choice(ASPECT_RATIO, "aspect ratio", 1.0, ASPECT_RATIO_NAMES)
 }
 
-/// The camera with a field of view, in degrees, an aspect ratio, and so many columns.
-pub fn camera(values: &[f64]) -> Camera {
-    let [fov_degrees, choice, columns] = array(values);
-    let h_res = columns as u32;
-    let v_res = aspect_ratio(ASPECT_RATIOS[choice as usize]).v_res(h_res);
-    Camera::new(h_res, v_res, fov_degrees.to_radians())
-}
-
-/// The aspect ratio that is written W:H.
-fn aspect_ratio(text: &str) -> AspectRatio {
-    let numbers: Vec<f64> = text.split(':').filter_map(|number| number.parse().ok()).collect();
-    let [width, height] = array(&numbers);
-    AspectRatio { width, height }
+/// The camera with the field of view and the aspect ratio of these values, and this many columns.
+pub fn camera(values: &ParameterValues, columns: u32) -> Camera {
+    let v_res = values.choice(ASPECT_RATIO, &ASPECT_RATIOS).v_res(columns);
+    Camera::new(columns, v_res, values[FIELD_OF_VIEW].to_radians())
 }

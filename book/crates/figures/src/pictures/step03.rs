@@ -1,3 +1,5 @@
+//! The picture of step 3, with a probe.
+
 use super::pixel_trace::trace_pixel;
 use crate::Figure;
 use crate::probe::{draw_picture, probed_picture};
@@ -6,9 +8,9 @@ use step03_nearest::{OBJECTS, colour};
 /// The picture of step 3, with a probe.
 pub fn figure() -> Figure {
     Figure {
-        numbers: |values| trace_pixel(values, &OBJECTS, |ray| colour(&OBJECTS, ray)),
-        ..probed_picture("step03_nearest", [195.0, 237.0], vec![], |values| {
-            draw_picture(values, |ray| colour(&OBJECTS, ray))
+        readouts: |values| trace_pixel(values, &OBJECTS, |ray| colour(&OBJECTS, ray)),
+        ..probed_picture("step03_nearest", [195.0, 237.0], [], |_, columns| {
+            draw_picture(columns, |ray| colour(&OBJECTS, ray))
         })
     }
 }

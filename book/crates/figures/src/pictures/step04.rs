@@ -1,54 +1,66 @@
+//! The picture of step 4, with its lights to move.
+
 use super::pixel_trace::{trace_pixel, trace_shading};
 use crate::probe::{draw_picture, probed_picture};
-use crate::{Figure, Handle, Mark, Numbers, Parameter};
+use crate::{Axis, Figure, Handle, Mark, Parameter, ParameterValues, PointId, Readouts};
 use glam::DVec3;
-use std::iter::zip;
 use step04_diffuse::{COOL_LIGHT, Matte, PointLight, Scene, WARM_LIGHT, colour};
 use step05_phong::{Light, Material};
 
+/// The positions of the lights, in the order of the scene.
+const LIGHTS: [PointId; 2] = [PointId("the warm light"), PointId("the cool light")];
+
 /// The picture of step 4: its lights to move, and a probe.
 pub fn figure() -> Figure {
-    let lights = [
-        ("of the warm light", WARM_LIGHT.position, [[-8.0, 8.0], [-1.0, 8.0], [-12.0, 2.0]]),
+    let [warm, cool] = LIGHTS;
+    let parameters = [
+        position_parameters(warm, WARM_LIGHT.position, [[-8.0, 8.0], [-1.0, 8.0], [-12.0, 2.0]]),
         // Everywhere in these ranges, it is in the picture.
-        ("of the cool light", COOL_LIGHT.position, [[-6.0, 6.0], [-3.4, 3.4], [-16.0, -11.0]]),
+        position_parameters(cool, COOL_LIGHT.position, [[-6.0, 6.0], [-3.4, 3.4], [-16.0, -11.0]]),
     ];
-    let parameters = lights.iter().flat_map(|&(words, position, ranges)| {
-        let coordinates = zip(["x", "y", "z"], zip(position.to_array(), ranges));
-        coordinates.map(move |(symbol, (default, range))| {
-            Parameter::new([symbol, words, ""], default, range, 10.0)
-        })
-    });
     let mut figure =
-        probed_picture("step04_diffuse", [470.0, 120.0], parameters.collect(), |values| {
+        probed_picture("step04_diffuse", [470.0, 120.0], parameters.concat(), |values, columns| {
             let scene = moved_scene(values);
-            draw_picture(values, |ray| colour(&scene, ray))
+            draw_picture(columns, |ray| colour(&scene, ray))
         });
-    figure.handles.extend(["the warm light", "the cool light"].iter().enumerate().map(
-        |(k, words)| {
-            let x = 3 + 3 * k;
-            let position =
-                move |values: &[f64]| Some((course::camera(), DVec3::from_slice(&values[x..])));
-            Handle { mark: Mark::Light, ..Handle::in_picture(words, x, 24.0, position) }
-        },
-    ));
-    Figure { numbers, ..figure }
+    figure.handles.extend(LIGHTS.map(|light| {
+        let position =
+            move |values: &ParameterValues| Some((course::camera(), values.point_in_space(light)));
+        let handle = Handle::in_picture(light.0, [light.x(), light.y()], 24.0, position);
+        Handle { mark: Mark::Light, ..handle }
+    }));
+    Figure { readouts, ..figure }
+}
+
+/// The coordinates of a light.
+fn position_parameters(light: PointId, position: DVec3, ranges: [[f64; 2]; 3]) -> [Parameter; 3] {
+    let words = format!("of {}", light.0);
+    let [x, y, z] = ranges;
+    [
+        Parameter::number(light.x(), &*words, position.x, x, 10.0)
+            .with_symbol("x")
+            .with_axis(Axis::Right),
+        Parameter::number(light.y(), &*words, position.y, y, 10.0)
+            .with_symbol("y")
+            .with_axis(Axis::Up),
+        Parameter::number(light.z(), &*words, position.z, z, 10.0).with_symbol("z"),
+    ]
 }
 
 /// The scene with its lights at these values.
-fn moved_scene(values: &[f64]) -> Scene<Matte, PointLight> {
+fn moved_scene(values: &ParameterValues) -> Scene<Matte, PointLight> {
     let mut scene = step04_diffuse::scene();
-    for (light, position) in zip(&mut scene.lights, values[3..].chunks_exact(3)) {
-        light.position = DVec3::from_slice(position);
+    for (light, position) in scene.lights.iter_mut().zip(LIGHTS) {
+        light.position = values.point_in_space(position);
     }
     scene
 }
 
-fn numbers(values: &[f64]) -> Numbers {
+fn readouts(values: &ParameterValues) -> Readouts {
     let scene = moved_scene(values);
-    let mut numbers = trace_pixel(values, &scene.objects, |ray| colour(&scene, ray));
-    numbers.extend(trace_shading(values, &phong_scene(&scene)));
-    numbers
+    let mut readouts = trace_pixel(values, &scene.objects, |ray| colour(&scene, ray));
+    readouts.extend(trace_shading(values, &phong_scene(&scene)));
+    readouts
 }
 
 /// The scene as one of step 5, without highlights.

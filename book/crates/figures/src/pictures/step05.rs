@@ -1,69 +1,86 @@
+//! The picture of step 5, with its terms to switch and its materials to set.
+
 use super::pixel_trace::{trace_pixel, trace_shading};
 use crate::probe::{draw_picture, probe_ray, probed_picture};
-use crate::{Figure, Numbers, Parameter, array};
+use crate::{Figure, Parameter, ParameterId, ParameterValues, Readouts};
 use glam::DVec3;
 use std::iter::zip;
 use step05_phong::{Light, Material, OBJECTS, Scene, colour, nearest};
 
-/// The picture of step 5: each term to switch off, a probe, and the material of the object
-/// there to set.
+const AMBIENT: ParameterId = ParameterId::new("ambient");
+const DIFFUSE: ParameterId = ParameterId::new("diffuse");
+const SPECULAR: ParameterId = ParameterId::new("specular");
+
+fn shininess(object: &'static str) -> ParameterId {
+    ParameterId::of(object, "shininess")
+}
+
+fn reflectance(object: &'static str) -> ParameterId {
+    ParameterId::of(object, "specular reflectance")
+}
+
+/// The picture of step 5: each term to switch off, a probe, and the material of the object there to
+/// set.
 pub fn figure() -> Figure {
-    let switches = ["ambient", "diffuse", "specular"].map(|term| Parameter::switch(term, true));
+    let switches = [(AMBIENT, "ambient"), (DIFFUSE, "diffuse"), (SPECULAR, "specular")]
+        .map(|(id, term)| Parameter::switch(id, term, true));
     let objects = step05_phong::scene().objects;
     let materials = || objects.iter().map(|object| object.material);
     let shininesses = materials().map(|material| f64::from(material.shininess));
     let reflectances = materials().map(|material| material.specular.x);
-    let shininesses = object_parameters("n", shininesses, [1.0, 300.0], 1.0);
-    let reflectances = object_parameters("Rₛ", reflectances, [0.0, 1.0], 20.0);
-    let parameters = switches.into_iter().chain(shininesses).chain(reflectances).collect();
+    let shininesses = zip(OBJECTS, shininesses).map(|(object, default)| {
+        object_parameter(shininess(object.name), object.name, default, [1.0, 300.0], 1.0)
+            .with_symbol("n")
+    });
+    let reflectances = zip(OBJECTS, reflectances).map(|(object, default)| {
+        object_parameter(reflectance(object.name), object.name, default, [0.0, 1.0], 20.0)
+            .with_symbol("Rₛ")
+    });
+    let parameters = switches.into_iter().chain(shininesses).chain(reflectances);
     Figure {
-        numbers,
-        ..probed_picture("step05_phong", [470.0, 120.0], parameters, |values| {
+        readouts,
+        ..probed_picture("step05_phong", [470.0, 120.0], parameters, |values, columns| {
             let scene = changed_scene(values);
-            draw_picture(values, |ray| colour(&scene, ray))
+            draw_picture(columns, |ray| colour(&scene, ray))
         })
     }
 }
 
 /// The scene with the terms and materials of these values.
-fn changed_scene(values: &[f64]) -> Scene<Material, Light> {
-    let (terms, materials) = values[3..].split_at(3);
-    let [ambient, diffuse, specular] = array(terms);
-    let (shininesses, reflectances) = materials.split_at(OBJECTS.len());
+fn changed_scene(values: &ParameterValues) -> Scene<Material, Light> {
     let mut scene = step05_phong::scene();
-    scene.ambient_light *= ambient;
+    scene.ambient_light *= values[AMBIENT];
     for light in &mut scene.lights {
-        light.point_light.diffuse *= diffuse;
-        light.specular *= specular;
+        light.point_light.diffuse *= values[DIFFUSE];
+        light.specular *= values[SPECULAR];
     }
-    for (object, (n, r_s)) in zip(&mut scene.objects, zip(shininesses, reflectances)) {
-        object.material.shininess = *n as i32;
-        object.material.specular = DVec3::splat(*r_s);
+    for object in &mut scene.objects {
+        object.material.shininess = values[shininess(object.name)] as i32;
+        object.material.specular = DVec3::splat(values[reflectance(object.name)]);
     }
     scene
 }
 
-fn numbers(values: &[f64]) -> Numbers {
+fn readouts(values: &ParameterValues) -> Readouts {
     let scene = changed_scene(values);
-    let mut numbers = trace_pixel(values, &scene.objects, |ray| colour(&scene, ray));
-    numbers.extend(trace_shading(values, &scene));
-    numbers
+    let mut readouts = trace_pixel(values, &scene.objects, |ray| colour(&scene, ray));
+    readouts.extend(trace_shading(values, &scene));
+    readouts
 }
 
-/// A parameter of each object, with these defaults; the page has a control for that of the
-/// object at the probe.
-pub fn object_parameters(
-    symbol: &'static str,
-    defaults: impl Iterator<Item = f64>,
+/// A parameter of an object, which has a control while the probe is on the object.
+pub fn object_parameter(
+    id: ParameterId,
+    object: &str,
+    default: f64,
     range: [f64; 2],
     steps_per_unit: f64,
-) -> impl Iterator<Item = Parameter> {
-    zip(OBJECTS, defaults).map(move |(object, default)| Parameter {
-        words: format!("of the {}", object.name),
-        has_control: |parameter, values| {
-            let hit = nearest(&OBJECTS, &probe_ray(values));
-            hit.is_some_and(|hit| parameter.words.ends_with(hit.object.name))
-        },
-        ..Parameter::new([symbol, "", ""], default, range, steps_per_unit)
-    })
+) -> Parameter {
+    let parameter =
+        Parameter::number(id, format!("of the {object}"), default, range, steps_per_unit);
+    let has_control = |parameter: &Parameter, values: &ParameterValues| {
+        let hit = nearest(&OBJECTS, &probe_ray(values));
+        hit.is_some_and(|hit| parameter.id.object() == Some(hit.object.name))
+    };
+    Parameter { has_control, ..parameter }
 }

@@ -57,7 +57,7 @@ fn branches_of_vectors_are_drawn_in_full_size() {
          { material.diffuse * 0.4 } else { DVec3::ZERO }",
         "sky if v.x * v.x + v.y * v.y < 0.04 { DVec3::new(1.0, 0.9, 0.2) } else { 0.7 + 0.3 * v }",
     ] {
-        let text = page::answer(&format!("edit 640 {line}"), &[]).text;
+        let text = page::reply(&format!("edit 640 {line}"), &[]).text;
         assert!(text.contains("\"size\":[640,360]"), "{line}: {text}");
     }
 }
@@ -66,7 +66,7 @@ fn branches_of_vectors_are_drawn_in_full_size() {
 fn long_line_is_drawn_smaller() {
     for operators in [20, 60] {
         let line = format!("sky v{}", "+v".repeat(operators));
-        let text = page::answer(&format!("edit 640 {line}"), &[]).text;
+        let text = page::reply(&format!("edit 640 {line}"), &[]).text;
         assert!(text.contains("\"size\":[320,180]"), "{line}: {text}");
         assert!(text.contains("Drawn smaller"), "{line}: {text}");
     }
@@ -94,7 +94,7 @@ fn text_is_too_long_from_251_bytes_on() {
 #[test]
 fn more_lines_than_there_are_places_are_not_drawn() {
     let lines = ["normal p"; 1000].join("\u{1f}");
-    assert_eq!(page::answer(&format!("edit 640 {lines}"), &[]).text, "");
+    assert_eq!(page::reply(&format!("edit 640 {lines}"), &[]).text, "");
 }
 
 #[test]
@@ -108,7 +108,7 @@ fn answer_is_about_the_lines_and_no_others() {
         ("normal p\u{1f}attenuation (1.0", "\"line\":\"attenuation\",\"from\":0,\"to\":1"),
         ("normal p\u{7}", "\"line\":\"normal\",\"from\":1,\"to\":2"),
     ] {
-        let text = page::answer(&format!("edit 640 {lines}"), &[]).text;
+        let text = page::reply(&format!("edit 640 {lines}"), &[]).text;
         assert!(text.contains(words), "{lines}: {text}");
     }
 }

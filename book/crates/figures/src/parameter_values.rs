@@ -1,0 +1,138 @@
+//! The names of parameters, and the values of a figure's parameters by name.
+
+use glam::{DVec2, DVec3, dvec2};
+use std::collections::BTreeMap;
+use std::fmt::{self, Display, Formatter};
+use std::ops::Index;
+
+/// The name of a parameter, which no other parameter of its figure has.
+///
+/// Displayed, it is one word, such as `red-sphere-radius`: the name that a page uses.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct ParameterId {
+    object: Option<&'static str>,
+    name: &'static str,
+}
+
+impl ParameterId {
+    /// The name of a parameter of the figure as a whole.
+    pub const fn new(name: &'static str) -> Self {
+        Self { object: None, name }
+    }
+
+    /// The name of a parameter of one of the figure's objects.
+    pub const fn of(object: &'static str, name: &'static str) -> Self {
+        Self { object: Some(object), name }
+    }
+
+    /// The object that the parameter belongs to, if there is one.
+    pub fn object(self) -> Option<&'static str> {
+        self.object
+    }
+}
+
+impl Display for ParameterId {
+    fn fmt(&self, f: &mut Formatter) -> fmt::Result {
+        if let Some(object) = self.object {
+            write!(f, "{}-", object.replace(' ', "-"))?;
+        }
+        f.write_str(&self.name.replace(' ', "-"))
+    }
+}
+
+/// A point whose coordinates are parameters, by its name in words, such as "the start S".
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PointId(pub &'static str);
+
+impl PointId {
+    /// The name of the point's x.
+    pub const fn x(self) -> ParameterId {
+        ParameterId::of(self.0, "x")
+    }
+
+    /// The name of the point's y.
+    pub const fn y(self) -> ParameterId {
+        ParameterId::of(self.0, "y")
+    }
+
+    /// The name of the point's z, if it has one.
+    pub const fn z(self) -> ParameterId {
+        ParameterId::of(self.0, "z")
+    }
+}
+
+/// A value for each parameter of a figure.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ParameterValues(BTreeMap<ParameterId, f64>);
+
+impl ParameterValues {
+    /// Gives a parameter another value.
+    pub fn set(&mut self, id: ParameterId, value: f64) {
+        self.0.insert(id, value);
+    }
+
+    /// Whether a switch is on.
+    pub fn is_on(&self, id: ParameterId) -> bool {
+        self[id] == 1.0
+    }
+
+    /// The one of `options` that the value of a choice stands for.
+    pub fn choice<T: Copy>(&self, id: ParameterId, options: &[T]) -> T {
+        options[self[id] as usize]
+    }
+
+    /// The x and the y of a point.
+    pub fn point(&self, point: PointId) -> DVec2 {
+        dvec2(self[point.x()], self[point.y()])
+    }
+
+    /// All three coordinates of a point.
+    pub fn point_in_space(&self, point: PointId) -> DVec3 {
+        self.point(point).extend(self[point.z()])
+    }
+
+    /// Whether all values are numbers, and not infinite.
+    pub fn are_finite(&self) -> bool {
+        self.0.values().all(|value| value.is_finite())
+    }
+}
+
+impl Index<ParameterId> for ParameterValues {
+    type Output = f64;
+
+    /// # Panics
+    ///
+    /// Panics if the figure has no such parameter.
+    fn index(&self, id: ParameterId) -> &f64 {
+        self.0.get(&id).unwrap_or_else(|| panic!("the figure has no parameter {id}"))
+    }
+}
+
+impl FromIterator<(ParameterId, f64)> for ParameterValues {
+    fn from_iter<T: IntoIterator<Item = (ParameterId, f64)>>(pairs: T) -> Self {
+        Self(pairs.into_iter().collect())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn id_is_displayed_as_one_word() {
+        assert_eq!(ParameterId::new("field of view").to_string(), "field-of-view");
+        assert_eq!(ParameterId::of("red sphere", "radius").to_string(), "red-sphere-radius");
+        assert_eq!(PointId("the start S").y().to_string(), "the-start-S-y");
+    }
+
+    #[test]
+    fn values_are_read_by_name() {
+        let (point, side) = (PointId("P"), ParameterId::new("side"));
+        let mut values: ParameterValues =
+            [(point.x(), 3.0), (point.y(), 4.0), (side, 1.0)].into_iter().collect();
+        assert_eq!(values.point(point), dvec2(3.0, 4.0));
+        assert!(values.is_on(side) && values.choice(side, &["left", "right"]) == "right");
+        values.set(side, f64::INFINITY);
+        assert!(!values.are_finite());
+    }
+}

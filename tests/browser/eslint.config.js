@@ -1,0 +1,19 @@
+// ESLint's recommended rules, for the scripts of the pages and for the browser tests.
+import js from '@eslint/js';
+import { defineConfig } from 'eslint/config';
+import globals from 'globals';
+
+export default defineConfig([
+  { ignores: ['**/*.min.js', '**/node_modules/'] },
+  js.configs.recommended,
+  {
+    files: ['book/theme/*.js'],
+    languageOptions: { sourceType: 'script', globals: { ...globals.browser, book: 'readonly', MiniSearch: 'readonly' } },
+  },
+  // It makes the name that the others share.
+  { files: ['book/theme/book.js'], languageOptions: { globals: { book: 'off' } } },
+  {
+    files: ['tests/browser/*.js'],
+    languageOptions: { globals: { ...globals.node, ...globals.browser, book: 'readonly' } },
+  },
+]);
