@@ -22,6 +22,7 @@ pub static FIGURES: LazyLock<Vec<Figure>> = LazyLock::new(|| {
         attenuation::figure(),
         phong_vectors::figure(),
         lobes::figure(),
+        rim::figure(),
         flat_world::figure(),
         step01::figure(),
         step02::figure(),

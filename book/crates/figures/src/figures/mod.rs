@@ -13,6 +13,7 @@ pub mod phong_vectors;
 pub mod pinhole;
 pub mod ray;
 pub mod right_hand;
+pub mod rim;
 pub mod row;
 pub mod scene_from_above;
 pub mod three_cases;
