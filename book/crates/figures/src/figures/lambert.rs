@@ -82,12 +82,18 @@ fn draw_beam(drawing: &mut Drawing, ground: DVec2, degrees: f64) {
     if is_strip {
         // The triangle whose leg is the beam's width and whose hypotenuse is the strip.
         let corner = foot(-1.0);
-        drawing.line("vector", corner, corner + 52.0 * across);
-        drawing.label("strong", corner + 66.0 * across + dvec2(3.0, 3.0), "$w$");
-    }
-    if angle > 0.0 && is_strip {
-        drawing.arc("axis", foot(-1.0), 24.0, [0.0, angle]);
-        drawing.label("", foot(-1.0) + dvec2(34.0, -8.0), "$α$");
+        let end = corner + 52.0 * across;
+        drawing.line("vector", corner, end);
+        if angle > 0.0 {
+            drawing.label("strong over", corner + 26.0 * across + 16.0 * to_light, "$w$");
+            drawing.arc("axis", corner, 24.0, [0.0, angle]);
+            drawing.label("", corner + dvec2(34.0, -8.0), "$α$");
+            drawing.label("over", corner + dvec2(0.0, 22.0), "$A$");
+            drawing.label("over", foot(1.0) + dvec2(0.0, 22.0), "$B$");
+            drawing.label("over", end + 14.0 * across + dvec2(2.0, 5.0), "$C$");
+        } else {
+            drawing.label("strong over", corner + 66.0 * across + dvec2(3.0, 24.0), "$w$");
+        }
     }
     let label = format!("cos {degrees}° = {}", format_rounded(l.y, 3));
     drawing.label("", ground + dvec2(0.0, 56.0), &label);
