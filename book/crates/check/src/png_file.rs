@@ -90,8 +90,8 @@ pub enum PngError {
     TooManyBytes,
     /// The picture has more pixels than the programs draw.
     #[error(
-        "is too large: it has {columns}×{rows} pixels, and the limit is 8192×4608 or as many in \
-         another shape"
+        "is too large: it has {columns}×{rows} pixels, and the limit is 8192×4608 or as many in a \
+         different shape"
     )]
     TooManyPixels {
         /// The columns of the picture.

@@ -87,7 +87,7 @@ fn other_formats_and_damaged_files_are_as_locked() {
         ("line ends changed", &text_mode),
         ("read as text", &as_text),
         ("half", &png[..png.len() / 2]),
-        ("another byte", &wrong_sum),
+        ("one byte changed", &wrong_sum),
         ("200000 columns", &with_size(&png, 200_000, 200_000)),
         ("a row more than the limit", &with_size(&png, 8192, 4609)),
         ("no columns", &with_size(&png, 0, 0)),
