@@ -316,4 +316,12 @@ mod tests {
         assert_eq!(netpbm_clause(b"P8 1"), None);
         assert_eq!(netpbm_clause(b"P6"), None);
     }
+
+    #[test]
+    fn file_with_too_many_bytes_is_not_looked_at() {
+        let mut file = vec![b' '; FILE_BYTES as usize];
+        assert!(matches!(read_png(&file), Err(PngError::OtherFormat(_))));
+        file.push(b' ');
+        assert!(matches!(read_png(&file), Err(PngError::TooManyBytes)));
+    }
 }
