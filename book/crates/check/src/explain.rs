@@ -217,6 +217,8 @@ mod tests {
     fn mistake_is_shown_with_its_diff_if_short_and_its_reason_if_any() {
         let short = mistake("slip", "a.rs");
         assert_eq!(describe_mistake(&short), ["  - a", "  + b"]);
+        let three_lines = Mistake { new: "b\nb\nb".to_owned(), ..short.clone() };
+        assert_eq!(describe_mistake(&three_lines), ["  - a", "  + b", "  + b", "  + b"]);
         let four_lines = "b\nb\nb\nb".to_owned();
         let shown =
             ShownMistake { pictures: vec![], reason: "It is b.", section: "Letters", effect: "" };

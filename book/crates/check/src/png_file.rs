@@ -90,8 +90,8 @@ pub enum PngError {
     TooManyBytes,
     /// The picture has more pixels than the programs draw.
     #[error(
-        "is too large: it has {columns}×{rows} pixels, and the limit is 8192×4608 or as many in \
-         another shape"
+        "is too large: it has {columns}×{rows} pixels, and the limit is 8192×4608 or as many in a \
+         different shape"
     )]
     TooManyPixels {
         /// The columns of the picture.
@@ -315,5 +315,13 @@ mod tests {
         assert_eq!(netpbm_clause(b"P0 1"), None);
         assert_eq!(netpbm_clause(b"P8 1"), None);
         assert_eq!(netpbm_clause(b"P6"), None);
+    }
+
+    #[test]
+    fn file_with_too_many_bytes_is_not_looked_at() {
+        let mut file = vec![b' '; FILE_BYTES as usize];
+        assert!(matches!(read_png(&file), Err(PngError::OtherFormat(_))));
+        file.push(b' ');
+        assert!(matches!(read_png(&file), Err(PngError::TooManyBytes)));
     }
 }

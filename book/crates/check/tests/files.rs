@@ -55,7 +55,8 @@ fn other_formats_and_damaged_files_are_as_locked() {
     };
     let utf_16: Vec<u8> =
         [0xff, 0xfe].into_iter().chain(png.iter().flat_map(|b| [*b, 0])).collect();
-    let files: [(&str, &[u8]); 36] = [
+    let deep = encode(DynamicImage::from(locked_picture("step02_sphere")).to_rgb16());
+    let files: [(&str, &[u8]); 37] = [
         ("JPEG", b"\xff\xd8\xff\xe0\0\x10JFIF\0\x01"),
         ("WebP", b"RIFF\x24\0\0\0WEBPVP8 "),
         ("GIF", b"GIF89a"),
@@ -87,9 +88,10 @@ fn other_formats_and_damaged_files_are_as_locked() {
         ("line ends changed", &text_mode),
         ("read as text", &as_text),
         ("half", &png[..png.len() / 2]),
-        ("another byte", &wrong_sum),
+        ("one byte changed", &wrong_sum),
         ("200000 columns", &with_size(&png, 200_000, 200_000)),
         ("a row more than the limit", &with_size(&png, 8192, 4609)),
+        ("the most pixels, with 16 bits", &with_size(&deep, 8192, 4608)),
         ("no columns", &with_size(&png, 0, 0)),
         ("more bytes behind it", &[&png[..], b"more"].concat()),
     ];

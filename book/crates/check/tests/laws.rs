@@ -1,9 +1,10 @@
 //! Laws that hold for all pictures and all files.
 
-use crate::{check, encode, locked_file, map_locked};
-use check::{CheckError, Verdict, check_png};
-use course::{Step, camera_with_size, locked_names, read_locked_picture};
+use crate::{check, encode, locked_file, locked_picture, map_locked};
+use check::{CheckError, ComparedPictures, Verdict, check_png};
+use course::{Step, camera_with_fov, camera_with_size, locked_names, read_locked_picture};
 use fastrand::Rng;
+use image::{DynamicImage, RgbImage};
 use step01_rays::Camera;
 
 #[test]
@@ -87,4 +88,24 @@ fn wrong_pictures_of_all_steps_name_the_tests_of_step_1() {
             assert!(has_step_1 || answer.verdict == Verdict::Right, "{answer}");
         }
     }
+}
+
+#[test]
+fn difference_is_drawn_only_of_a_wrong_picture_of_the_right_size() {
+    let step = Step::Rays;
+    let ours = locked_picture(step.name());
+    let wrong = map_locked(step.name(), |_, _, [r, g, b]| [b, g, r]);
+    let answer = check(wrong.clone(), step.name());
+    let difference = answer.draw_difference().expect("a difference");
+    assert_eq!(difference.dimensions(), (3 * 640, 360));
+    assert_eq!(answer.compared, Some(ComparedPictures { yours: wrong, ours: ours.clone() }));
+    let other_options = step.picture()(&camera_with_fov(120.0, 640.0), 1);
+    let small = RgbImage::new(64, 36);
+    for picture in [ours.clone(), other_options, small] {
+        assert_eq!(check(picture, step.name()).draw_difference(), None);
+    }
+    let mut transparent = DynamicImage::from(ours).into_rgba8();
+    transparent[(9, 9)][3] = 0;
+    let answer = check_png(&encode(transparent), "my.png", Some(step.name()), read_locked_picture);
+    assert_eq!(answer.expect("a picture").draw_difference(), None);
 }

@@ -68,7 +68,7 @@ fn answers_about_whole_pictures_are_as_locked() {
             ("cut out", PHONG, part),
             ("cut out, with a wrong pixel", PHONG, spotted_part),
             ("enlarged", PHONG, twice),
-            ("another size", "rings", RgbImage::new(64, 36)),
+            ("different size", "rings", RgbImage::new(64, 36)),
             ("one wrong pixel", "rings", map_locked("rings", wrong_pixel)),
         ],
     );
@@ -208,7 +208,7 @@ fn answers_about_scenes_of_names_are_as_locked() {
     small_ball.objects[3].sphere.radius = 1.0;
     let rows = [
         ("right", "ada", draw_scene("ada")),
-        ("another case", "Ada", draw_scene("ada")),
+        ("different case", "Ada", draw_scene("ada")),
         ("no gate", "ada", draw(|ray| ungated_colour(&ada, ray))),
         ("one number", "ada", draw(|ray| step05_phong::colour(&small_ball, ray))),
         ("the picture of step 5", "ada", locked_picture(PHONG)),

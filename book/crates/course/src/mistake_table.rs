@@ -104,3 +104,36 @@ pub fn read_small_pictures(
     let pictures = tops.map(|top| crop_imm(&all, 0, top, columns, rows).to_image());
     Ok(names.zip(pictures).collect())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn mistakes_are_found_by_their_hashes_and_those_in_the_book_come_first() {
+        for (mistake, row) in mistakes().iter().zip(table_rows()) {
+            for (step, hash) in mistake.affected_steps().zip(row.hashes) {
+                let Some(hash) = hash else { continue };
+                let found = find_mistakes_with_hash(hash);
+                assert!(found.contains(&(mistake, step.name())), "{}", mistake.title);
+                let is_shown = |(mistake, _): &(&Mistake, _)| mistake.shown.is_some();
+                assert!(found.is_sorted_by_key(|one| !is_shown(one)), "{}", mistake.title);
+            }
+        }
+    }
+
+    #[test]
+    fn hash_depends_on_the_size_and_on_each_byte() {
+        let black = hash_picture(&RgbImage::new(2, 3));
+        assert_eq!(black, hash_picture(&RgbImage::new(2, 3)));
+        assert_ne!(black, hash_picture(&RgbImage::new(3, 2)));
+        let mut picture = RgbImage::new(2, 3);
+        picture[(1, 2)][2] = 1;
+        assert_ne!(black, hash_picture(&picture));
+    }
+
+    #[test]
+    fn locked_names_begin_with_the_steps() {
+        assert_eq!(locked_names()[..Step::NAMES.len()], Step::NAMES);
+    }
+}

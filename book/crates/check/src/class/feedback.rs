@@ -91,3 +91,80 @@ fn find_shared_cause<'a>(
         Some((causes.iter().find(gives_it)?, report.picture))
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    use crate::answer::OptionDoubts;
+    use crate::class::student::FileReport;
+    use course::mistakes;
+
+    fn answer(verdict: Verdict) -> Answer {
+        Answer::new(verdict, "The headline.".to_owned())
+    }
+
+    fn with_options(doubts: OptionDoubts) -> Feedback {
+        let answer = Answer { option_doubts: doubts, ..answer(Verdict::OtherOptions) };
+        judge(&Ok(answer), &[])
+    }
+
+    #[test]
+    fn right_picture_has_its_point_and_no_sentence() {
+        let feedback = judge(&Ok(answer(Verdict::Right)), &[]);
+        assert!(feedback.has_point() && feedback.sentence.is_empty());
+        let feedback = judge(&Ok(answer(Verdict::NotRight)), &[]);
+        assert!(!feedback.has_point());
+        assert_eq!(feedback.sentence, "The headline.");
+    }
+
+    #[test]
+    fn options_have_the_point_unless_something_else_gives_the_picture() {
+        let feedback = with_options(OptionDoubts::default());
+        assert!(feedback.has_point());
+        assert_eq!(feedback.sentence, "The headline.");
+        let feedback = with_options(OptionDoubts { is_one_colour: true, ..Default::default() });
+        assert!(!feedback.has_point());
+        assert_eq!(feedback.sentence, "The headline.");
+        let mistakes = vec![&mistakes()[0]];
+        let feedback = with_options(OptionDoubts { mistakes, ..Default::default() });
+        assert!(!feedback.has_point());
+        let sentence = "Other options give this picture, and so does a mistake: the angle is in \
+                        degrees (steps/step01_rays/src/program.rs).";
+        assert_eq!(feedback.sentence, sentence);
+    }
+
+    #[test]
+    fn file_that_is_no_picture_is_unreadable() {
+        let feedback = judge(&Err(CheckError::UnknownName), &[]);
+        assert_eq!(feedback.verdict.words(), "unreadable");
+        assert!(!feedback.has_point());
+    }
+
+    #[test]
+    fn cause_of_an_earlier_picture_is_named_again() {
+        let wrong = |cause: &str| {
+            let causes = vec![Cause::Camera("a".to_owned()), Cause::Camera(cause.to_owned())];
+            Ok(Answer { causes, ..answer(Verdict::NotRight) })
+        };
+        let file = |result| FileReport {
+            printable_path: "my.png".to_owned(),
+            feedback: judge(&result, &[]),
+            result,
+        };
+        let earlier = [PictureReport {
+            picture: "step01_rays",
+            counts: true,
+            files: vec![file(Ok(answer(Verdict::Right))), file(wrong("b"))],
+            file_count: 2,
+        }];
+        let feedback = judge(&wrong("c"), &earlier);
+        assert_eq!(feedback.sentence, "What gives step01_rays gives this, too: a.");
+        let causes = vec![Cause::Camera("b".to_owned())];
+        let answer = Answer { causes, ..answer(Verdict::NotRight) };
+        let feedback = judge(&Ok(answer), &earlier);
+        assert_eq!(feedback.sentence, "What gives step01_rays gives this, too: b.");
+        let feedback = judge(&Ok(self::answer(Verdict::NotRight)), &earlier);
+        assert_eq!(feedback.sentence, "The headline.");
+    }
+}

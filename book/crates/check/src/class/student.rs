@@ -56,7 +56,7 @@ impl Note {
             Self::NoFolder => "no folder has this name".to_owned(),
             Self::NotInList => "this name isn't in the list".to_owned(),
             Self::SameNameInOtherForm => {
-                "another folder has this name, in another Unicode form".to_owned()
+                "a second folder has this name, in a different Unicode form".to_owned()
             }
             Self::SeveralFiles { picture, count } => format!("{count} files are named {picture}"),
         }
