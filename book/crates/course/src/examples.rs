@@ -1,16 +1,17 @@
 //! The steps' pictures and their examples as a library: the programs that the chapters run on the
 //! way, and the solutions of the exercises.
 
-#![allow(dead_code, reason = "the main of an example runs as a program only")]
-#![allow(clippy::duplicate_mod, reason = "`crowd` has `mirror` in it")]
-#![allow(missing_docs, reason = "each is a program, and says at its top what it draws")]
+#![allow(dead_code, reason = "the main of an example only runs in its program")]
+#![allow(clippy::duplicate_mod, reason = "`crowd` also declares the module `mirror`")]
+#![allow(missing_docs, reason = "each example says at its top what it draws")]
 
 use crate::Step;
 use image::RgbImage;
 use step01_rays::Camera;
 
-/// Draws a picture for a camera. Each pixel is split into this number of sub-pixels each way.
-pub type Picture = fn(&Camera, u32) -> RgbImage;
+/// A function that draws a picture for a camera. Each pixel is split into this number of sub-pixels
+/// in each direction.
+pub type DrawPicture = fn(&Camera, u32) -> RgbImage;
 
 /// Declares the examples as modules. rustfmt finds no module in a macro, so it leaves their files
 /// alone.
@@ -27,7 +28,7 @@ macro_rules! examples {
 
         /// The pictures of the five steps, then those of the examples, step by step, each by its
         /// name.
-        pub const PICTURES: &[(&str, Picture)] = &[
+        pub const PICTURES: &[(&str, DrawPicture)] = &[
             ("step01_rays", step01_rays::picture),
             ("step02_sphere", step02_sphere::picture),
             ("step03_nearest", step03_nearest::picture),
@@ -48,7 +49,7 @@ macro_rules! examples {
     };
 }
 
-// The name of an example, its path, and what draws its picture, if it has one of its own.
+// The names of the examples and their paths, and what draws the locked picture of the name.
 examples! {
     $
     pictures {
@@ -89,14 +90,14 @@ examples! {
     }
 }
 
-/// The picture of this name, of a step or an example.
-pub fn find_picture(name: &str) -> Option<Picture> {
+/// The function that draws the picture of a step or an example with this name.
+pub fn find_picture(name: &str) -> Option<DrawPicture> {
     PICTURES.iter().find(|(known, _)| *known == name).map(|(_, draw)| *draw)
 }
 
 impl Step {
-    /// The function that draws its picture.
-    pub fn picture(self) -> Picture {
+    /// The function that draws the picture of the step.
+    pub fn picture(self) -> DrawPicture {
         PICTURES[self as usize].1
     }
 }

@@ -1,4 +1,4 @@
-//! What all crates of the book share.
+//! What the crates of the book share.
 //!
 //! - The five *steps* as a list; the *camera* of their pictures; the *examples* of the steps as a
 //!   library, and a list of the pictures that they draw.
@@ -6,9 +6,10 @@
 //!   pictures that they give, with the small ones that the book shows; the *places* of the
 //!   listings that a reader may edit.
 //! - A *scene* as a program, and the scene that belongs to a *name*.
-//! - The *locked* pictures; two *compared*, in a sentence and side by side; one as a PNG file.
-//! - The source of a crate as that of a *module*.
-//! - A file *replaced* by what was written beside it.
+//! - The *locked* pictures; the *difference* of two pictures, in a sentence and side by side; a
+//!   picture as a PNG file.
+//! - The source of a crate, turned into that of a *module*.
+//! - Files that are *replaced* as a whole.
 //! - The folders of the *workspace*, its modules, a command of Cargo, the *environment* variables
 //!   that switch tests, and JSON.
 
@@ -18,7 +19,7 @@ pub use camera::{camera, camera_with_fov, camera_with_size, primary_rays, slide_
 pub use step::Step;
 
 pub mod examples;
-pub use examples::{PICTURES, Picture, find_picture};
+pub use examples::{DrawPicture, PICTURES, find_picture};
 
 mod mistake;
 mod mistake_files;
