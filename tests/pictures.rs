@@ -1,5 +1,5 @@
-//! The locked pictures, of the steps, the exercises, the chapters and the cover: each is
-//! compared with its snapshot by the test of its own name, before everything else.
+//! The locked pictures, of the steps, the exercises, the chapters and the cover. Each is compared
+//! with its snapshot by a test of its own name, before any other test runs.
 
 use course::{draw_panels, workspace};
 use image::{Rgb, RgbImage};
@@ -53,9 +53,9 @@ fn files_below(folder: &Path) -> Vec<PathBuf> {
     files.flatten().collect()
 }
 
-/// A snapshot of words is named by the function of its test, or in quotes by its test or, as a
-/// figure, where the figure is made. Only insta knows for certain which snapshots are compared
-/// (`cargo insta test --unreferenced=reject`), but a name that is nowhere belongs to no test.
+/// The name of a snapshot of words is the function of its test, or a string in its crate. Only insta
+/// knows for certain which snapshots are compared (`cargo insta test --unreferenced=reject`), but a
+/// name that occurs nowhere belongs to no test.
 #[test]
 fn each_snapshot_of_words_has_its_name_in_its_crate() {
     let (mut orphans, mut count) = (vec![], 0);
@@ -80,7 +80,7 @@ fn each_snapshot_of_words_has_its_name_in_its_crate() {
 }
 
 #[test]
-fn pixel_that_differs_has_the_colour_of_its_sign() {
+fn pixel_that_differs_is_orange_if_it_is_brighter_and_blue_if_it_is_darker() {
     let new = RgbImage::from_fn(3, 1, |i, _| Rgb([90, 89 + i as u8, 90]));
     let panels = draw_panels(&new, &RgbImage::from_pixel(3, 1, Rgb([90; 3])));
     let [darker, equal, brighter] = [6, 7, 8].map(|i| panels.get_pixel(i, 0).0);

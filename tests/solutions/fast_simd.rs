@@ -9,7 +9,7 @@ use glam::{DMat3, DVec3};
 use step05_phong::*;
 use support::{RandomInputs, test_law};
 
-/// Each set of instructions that this machine has, and none.
+/// Every set of vector instructions that this machine has, and the fallback without any.
 fn levels() -> Vec<Level> {
     let best = Level::new();
     let mut levels = vec![Level::fallback(), Level::baseline(), best];
@@ -30,7 +30,7 @@ fn assert_fast_draws(camera: &Camera, samples: u32, scene: &Scene<Material, Ligh
     }
 }
 
-/// Spheres of all sizes and anywhere, a few of them twice, in up to four lights.
+/// Spheres of all sizes in any position, a few of them twice, and up to four lights.
 fn random_scene(random: &mut RandomInputs) -> Scene<Material, Light> {
     let mut scene = named_scene(&random.index(10_000).to_string());
     let objects = scene.objects.clone();
@@ -45,8 +45,8 @@ fn random_scene(random: &mut RandomInputs) -> Scene<Material, Light> {
         .collect();
     for _ in 0..random.index(4).min(count) {
         let copied = scene.objects[random.index(count)];
-        let place = random.index(count);
-        scene.objects.insert(place, copied.with_material(objects[random.index(3)].material));
+        let index = random.index(count);
+        scene.objects.insert(index, copied.with_material(objects[random.index(3)].material));
     }
     scene.lights = (0..random.index(5)).map(|k| scene.lights[k % scene.lights.len()]).collect();
     for light in &mut scene.lights {
@@ -55,7 +55,7 @@ fn random_scene(random: &mut RandomInputs) -> Scene<Material, Light> {
     scene
 }
 
-/// A camera with more columns than a tile has, of any angle and maybe mirrored.
+/// A camera with any angle, sometimes mirrored, whose picture may be wider than a tile.
 fn random_camera(random: &mut RandomInputs) -> Camera {
     let angle = [0.001, 1.0, 60.0, 120.0, 179.0, 179.999][random.index(6)];
     let size = (2 + random.index(80) as u32, 1 + random.index(70) as u32);
@@ -103,7 +103,7 @@ fn fast_shows_the_first_of_two_spheres_that_touch_where_a_ray_meets_them() {
     assert_fast_draws(&Camera::new(3, 3, f64::to_radians(90.0)), 1, &scene);
 }
 
-// Where a light lies in a surface, there is no direction to it.
+// If a light is exactly on a surface, there is no direction to it.
 #[test]
 fn fast_draws_the_bytes_of_render_with_a_light_at_a_visible_point() {
     test_law(25, |random| {
@@ -117,7 +117,7 @@ fn fast_draws_the_bytes_of_render_with_a_light_at_a_visible_point() {
     });
 }
 
-// All rays of such a camera lie in one plane, or are the same.
+// All rays of these cameras are in one plane, or are the same ray.
 #[test]
 fn fast_draws_the_bytes_of_render_for_a_picture_without_depth() {
     test_law(15, |random| {
@@ -131,8 +131,8 @@ fn fast_draws_the_bytes_of_render_for_a_picture_without_depth() {
     });
 }
 
-// The edge between two blocks is column 15.5. This camera's centre lies there, and nearly in
-// the plane of the picture, so the rounding errors of V turn the edge's plane by a large angle.
+// The edge between two blocks is at column 15.5. This camera's centre is there, and nearly in the
+// plane of the picture, so the rounding errors of V turn the plane of that edge by a large angle.
 #[test]
 fn fast_draws_the_bytes_of_render_for_a_picture_with_hardly_any_depth() {
     test_law(60, |random| {
@@ -167,7 +167,7 @@ fn fast_draws_the_bytes_of_render_for_parts_of_random_scenes() {
         let mut scene = named_scene(&random.index(10_000).to_string());
         scene.lights.truncate(random.index(3));
         scene.objects.truncate(random.index(10));
-        // Each sphere once more, of another material: the first is seen.
+        // Each sphere is there twice, in two materials. The first one is seen.
         let pairs = scene.objects.iter().zip(scene.objects.iter().rev());
         let copies: Vec<_> = pairs.map(|(one, other)| one.with_material(other.material)).collect();
         scene.objects.extend(copies);
@@ -198,7 +198,7 @@ fn fast_draws_the_bytes_of_render_where_rounding_errors_are_larger_than_the_sphe
             let radius = distance * 10_f64.powf(random.number(-11.0, -7.0));
             spheres.insert(random.index(spheres.len() + 1), Sphere { centre, radius });
         }
-        // With and without the ball, which hides the sky.
+        // Once with the ball, which hides the sky, and once without it.
         if random.index(2) == 0 {
             spheres.retain(|sphere| *sphere != ball);
         }
@@ -212,8 +212,8 @@ fn fast_draws_the_bytes_of_render_where_rounding_errors_are_larger_than_the_sphe
     });
 }
 
-// A byte hides the last digits of the number that was rounded to it. These scenes show
-// them: one ray touches its sphere, or its colour is halfway between two bytes.
+// A byte hides the last digits of the number that was rounded to it. These scenes show them: one
+// ray touches its sphere, or its colour is halfway between two bytes.
 #[test]
 fn fast_rounds_like_render() {
     test_law(400, |random| {
@@ -232,7 +232,7 @@ fn fast_rounds_like_render() {
             scene
         };
         let lit = colour(&with_sphere(hit_sphere, DVec3::ZERO), &ray);
-        // The ambient light that is missing up to the middle between two bytes.
+        // The ambient light that is still missing to get halfway between two bytes.
         let ambient_light = ((255.0 * lit).floor() + 1.5) / 255.0 - lit;
         for (sphere, light) in [(tangent_sphere, DVec3::ONE), (hit_sphere, ambient_light)] {
             assert_fast_draws(&camera, 1, &with_sphere(sphere, light));
@@ -240,7 +240,7 @@ fn fast_rounds_like_render() {
     });
 }
 
-/// A camera anywhere, of few pixels.
+/// A camera with few pixels, in any position.
 fn small_camera(random: &mut RandomInputs) -> Camera {
     let roll = random.number(-3.0, 3.0);
     look_at(&camera_with_size(37, 7), random.point(), DVec3::NEG_Z, roll)

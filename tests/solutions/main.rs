@@ -1,4 +1,4 @@
-//! The mathematics of the exercises' solutions, and the scenes of names.
+//! Tests of the solutions of the exercises, and of the scenes that belong to names.
 
 mod fast_simd;
 mod named_scene;
@@ -9,15 +9,15 @@ mod step04;
 mod step05;
 
 use course::examples::own_scene;
-use course::{Picture, describe_difference, read_locked_picture};
+use course::{DrawPicture, describe_difference, read_locked_picture};
 use glam::DMat3;
 use step01_rays::Camera;
 use support::{camera, locked_pictures};
 
-/// Declares programs as modules, which rustfmt leaves alone: it finds none in a macro.
+/// Declares programs as modules. rustfmt finds no module in a macro, so it leaves their files alone.
 macro_rules! programs {
     ($($name:ident: $path:literal,)*) => {
-        $(#[allow(dead_code, reason = "its main runs as a program only")] #[path = $path] mod $name;)*
+        $(#[allow(dead_code, reason = "its main only runs in its program")] #[path = $path] mod $name;)*
     };
 }
 
@@ -32,7 +32,7 @@ programs! {
 
 #[test]
 fn starters_fast_and_own_scene_draw_the_pictures_of_their_steps() {
-    let pictures: [(_, Picture); 7] = [
+    let pictures: [(_, DrawPicture); 7] = [
         ("step01_rays", step01_starter::picture),
         ("step02_sphere", step02_starter::picture),
         ("step03_nearest", step03_starter::picture),
@@ -47,17 +47,17 @@ fn starters_fast_and_own_scene_draw_the_pictures_of_their_steps() {
     }
 }
 
-/// Replaces each number in the matrix of the camera by `neighbour`, the next or the
-/// previous f64; integers stay, as every way to write the formulas gives these exactly.
+/// Replaces each number in the matrix of the camera by its `neighbour`, the next or the previous
+/// f64. Integers stay, because the formulas give exactly these however they are written.
 fn perturb_camera(camera: &Camera, neighbour: fn(f64) -> f64) -> Camera {
     let perturb = |x: f64| if x.fract() == 0.0 { x } else { neighbour(x) };
     let matrix = camera.matrix.to_cols_array().map(perturb);
     Camera { matrix: DMat3::from_cols_array(&matrix), ..*camera }
 }
 
-/// The tangent of another platform may differ in its last bit, and so may a formula that
-/// is written in another order. `speckled` is left out: it shows rounding errors, and its
-/// camera takes no tangent.
+/// On another platform, the tangent may differ in its last bit. So may a formula that is written in
+/// another order. `speckled` is left out, because it shows rounding errors; its camera computes no
+/// tangent.
 #[test]
 #[ignore = "takes a minute: cargo test -- --include-ignored"]
 fn pictures_do_not_depend_on_the_last_bit_of_the_camera() {

@@ -1,3 +1,5 @@
+//! The scenes that belong to names.
+
 use course::named_scene;
 use std::collections::HashSet;
 use support::primary_rays;
@@ -6,19 +8,19 @@ use support::primary_rays;
 fn spheres_of_a_named_scene_do_not_meet_and_no_ray_touches_one() {
     for name in ["ada", "bob", ""] {
         let objects = named_scene(name).objects;
-        // They touch the ground, as in the course's scene, to two digits.
+        // They touch the ground to two digits, as in the course's scene.
         for (k, a) in objects.iter().enumerate() {
             for b in &objects[..k] {
                 let distance = a.sphere.centre.distance(b.sphere.centre);
                 let radii = a.sphere.radius + b.sphere.radius;
-                assert!(-0.01 < distance - radii, "{name}: {}, {}", a.name, b.name);
+                assert!(distance - radii > -0.01, "{name}: {}, {}", a.name, b.name);
             }
         }
         for ray in primary_rays() {
             for object in &objects {
                 let (a, b, c) = object.sphere.coefficients(&ray);
                 let margin = (b * b - 4.0 * a * c).abs() / (b * b + 4.0 * a * c.abs());
-                assert!(1e-12 < margin, "{name}: {}, {ray:?}", object.name);
+                assert!(margin > 1e-12, "{name}: {}, {ray:?}", object.name);
             }
         }
     }

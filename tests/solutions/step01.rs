@@ -1,3 +1,5 @@
+//! The solutions of step 1.
+
 use course::examples::look_at::{look_at, passes};
 use support::{camera, test_law};
 

@@ -1,3 +1,5 @@
+//! The solutions of step 2.
+
 use course::examples::plane::Plane;
 use course::examples::quadric::Quadric;
 use glam::{DMat3, DVec3};
@@ -24,7 +26,7 @@ fn hits_are_on_the_plane() {
         let (q, n) = (random.point(), random.unit_vector());
         let direction = random.number(0.1, 5.0) * random.unit_vector();
         let ray = Ray { start: random.point(), direction };
-        let approaches = 0.0 < n.dot(q - ray.start) * n.dot(direction);
+        let approaches = n.dot(q - ray.start) * n.dot(direction) > 0.0;
         let hit = Plane { point: q, normal: n }.first_hit(&ray);
         assert_eq!(hit.is_some(), approaches);
         if let Some(t) = hit {

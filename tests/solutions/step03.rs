@@ -1,3 +1,5 @@
+//! The solutions of step 3.
+
 use course::examples::many::{Tree, sunflower};
 use std::cell::Cell;
 use step03_nearest::nearest;
@@ -17,9 +19,9 @@ fn tree_finds_the_hits_of_the_loop_with_few_intersections() {
         ray_count += 1;
         hit_count += usize::from(hit.is_some());
     }
-    assert!(ray_count / 4 < hit_count);
-    // The loop intersects 1000 spheres for each ray. The limit is tight: a tree that goes
-    // into the farther half first, or into boxes behind the nearest hit, fails.
+    assert!(hit_count > ray_count / 4);
+    // The loop intersects 1000 spheres for each ray. The limit is tight. A tree fails if it looks
+    // into the farther half first, or into boxes behind the nearest hit.
     let count = intersections.get();
     assert!(2 * count < 3 * ray_count, "{count} spheres for {ray_count} rays");
 }

@@ -1,3 +1,5 @@
+//! The solutions of step 5 and of The ray's way back.
+
 use course::examples::*;
 use glam::DVec3;
 use step05_phong::*;
@@ -19,8 +21,8 @@ fn scenes_without_mirrors_and_glass_look_like_step_5_with_shadows() {
     }
 }
 
-/// The page "A scene of your own" begins with the scene of step 5, of which it has a copy. In the
-/// picture, nothing shows the green sphere.
+/// The page "A scene of your own" begins with a copy of step 5's scene. The picture can't compare
+/// all of it, because the green sphere isn't in view.
 #[test]
 fn own_scene_begins_as_the_scene_of_step_5() {
     let (own, ours) = (own_scene::my_scene(), scene());
@@ -51,7 +53,7 @@ fn refraction_obeys_snell_and_is_reversible() {
         let (n, ratio) = (if v.dot(n) < 0.0 { n } else { -n }, random.number(0.3, 3.0));
         let sine = |v: DVec3| v.cross(n).length() / v.length();
         let Some(refracted) = glass::refract(length * v, n, ratio) else {
-            assert!(1.0 - 1e-12 < ratio * sine(v));
+            assert!(ratio * sine(v) > 1.0 - 1e-12);
             return;
         };
         assert!((sine(refracted) - ratio * sine(v)).abs() < 1e-12);
@@ -66,8 +68,8 @@ fn refraction_obeys_snell_and_is_reversible() {
     });
 }
 
-/// No ray that has come into a ball from outside is mirrored within it as a whole, so that the
-/// picture can't show this.
+/// A ray that has entered a ball from outside is never totally reflected in it, so the picture can't
+/// show this.
 #[test]
 fn glass_mirrors_all_light_that_leaves_it_beyond_42_degrees() {
     let scene = glass::glasses(1.5);
@@ -83,17 +85,17 @@ fn glass_mirrors_all_light_that_leaves_it_beyond_42_degrees() {
         let mirrored = DVec3::NEG_Y.rotate_z(-f64::to_radians(degrees));
         assert!(seen(degrees).abs_diff_eq(mirrored, 1e-12), "{degrees}°: {}", seen(degrees));
     }
-    // Just before, most of it leaves.
+    // At a slightly smaller angle, most of the light leaves.
     assert!(seen(41.0).y > -0.5, "{}", seen(41.0));
-    // Where the index is below 1, as of bubbles in glass, it is seen from outside, too.
+    // If the index is below 1, as for bubbles in glass, total reflection is seen from outside, too.
     let from_outside =
         Ray { start: DVec3::new(-2.0, 2.0, 0.0), direction: DVec3::new(2.0, -1.0, 0.0) };
     let seen = glass::through_glass(&from_outside, &point, 1.0 / 1.5, |next| next.direction);
     assert_eq!(seen, DVec3::new(2.0, 1.0, 0.0));
 }
 
-/// The tenth mirror image of a picture is too faint for a byte to tell what stands in the last
-/// mirror.
+/// The tenth mirror image is so faint that no byte of the picture depends on what the last mirror
+/// shows.
 #[test]
 fn last_mirror_shows_its_own_colour_and_the_last_glass_is_black() {
     let scene = mirror::mirrors();
@@ -107,7 +109,7 @@ fn last_mirror_shows_its_own_colour_and_the_last_glass_is_black() {
         let Some(point) = visible_point(&scene.objects, &ray) else { continue };
         let mirror::Mirror { material, k } = point.material();
         if *k > 0.0 {
-            // One mirror more: its own paint without highlights, and what the last one shows.
+            // With one more mirror, a ray sees its own paint, and in it what the last mirror shows.
             let start = point.p + mirror::OFFSET * point.n;
             let mirrored = Ray { start, direction: reflect(point.n, -ray.direction) };
             let is_hidden = |light: &Light| {

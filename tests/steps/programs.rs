@@ -1,4 +1,5 @@
-//! The programs of the five steps draw; step 1, whose code they all run, says what its options are.
+//! The programs of the five steps draw their pictures. The options are tested with the program of
+//! step 1, whose code they all run.
 
 use course::{
     Step, cargo_command, describe_difference, read_locked_picture, target_folder, workspace,
@@ -19,7 +20,7 @@ const ALLOWED: [&str; 7] = [
     "--width 20 --output -dash.png",
 ];
 
-/// Arguments with which a program draws nothing: what it prints is locked.
+/// Arguments with which a program draws nothing. What it prints is a snapshot.
 const REFUSED: [&str; 18] = [
     "--help",
     "--width 0",
@@ -72,7 +73,7 @@ fn program_refuses_what_is_not_allowed_and_leaves_files_alone() {
     let old_files = ["step01_rays.png", "old.jpg", "unwritable.png"].map(|file| folder.join(file));
     old_files.iter().for_each(|file| fs::write(file, "old").expect("a file"));
     fs::create_dir(folder.join("folder.png")).expect("a folder");
-    // A picture is written to this name first, so the old one is safe where that fails.
+    // A picture is first written under this name, so the old one is safe if that fails.
     fs::create_dir(folder.join("unwritable.tmp")).expect("a folder");
     let texts = REFUSED.map(|arguments| {
         let Output { status, stdout, stderr } = run("step01_rays", &folder, arguments);
@@ -81,7 +82,7 @@ fn program_refuses_what_is_not_allowed_and_leaves_files_alone() {
         let code = status.code().unwrap_or(-1);
         format!("$ step01_rays {}\n{text}--- exit code {code} ---\n\n", arguments.escape_debug())
     });
-    // Windows has a name of its own for the program, and every system its own words.
+    // The program has another name on Windows, and each system words its errors differently.
     let text = texts.concat().replace("step01_rays.exe", "step01_rays");
     let lines = text.lines().map(|line| match line.rsplit_once(": ") {
         Some((start, reason)) if reason.ends_with(')') => format!("{start}: REASON\n"),
@@ -107,13 +108,13 @@ fn run(step: &str, folder: &Path, arguments: &str) -> Output {
     let executable = target_folder().join("debug").join(step);
     let mut command = Command::new(executable.with_extension(env::consts::EXE_EXTENSION));
     command.args(arguments.split(' ').filter(|argument| !argument.is_empty()));
-    // The width for which help is wrapped.
+    // The width to which the help is wrapped.
     command.current_dir(folder).env("COLUMNS", "100").output().expect("a program")
 }
 
-/// Builds the programs, as `cargo test` builds none of other packages.
+/// Builds the programs, because `cargo test` builds none of other packages.
 ///
-/// `--workspace` gives them the features with which everything else is built.
+/// With `--workspace`, they get the features with which everything else is built.
 fn build_programs() {
     let mut cargo = cargo_command();
     cargo.args(["build", "--quiet", "--workspace", "--target-dir"]).arg(target_folder());

@@ -1,4 +1,4 @@
-//! Step 2: what no number by hand and no picture shows of the quadratic.
+//! Step 2: cases of the quadratic that neither a worked number nor a picture covers.
 
 use step02_sphere::{Roots, quadratic};
 

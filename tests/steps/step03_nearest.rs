@@ -1,4 +1,4 @@
-//! Step 3: what no number by hand and no picture shows of the nearest hit.
+//! Step 3: a case of the nearest hit that neither a worked number nor a picture covers.
 
 use glam::DVec3;
 use step03_nearest::{Object, Ray, Sphere, nearest};

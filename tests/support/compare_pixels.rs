@@ -1,3 +1,5 @@
+//! Compares a picture with its snapshot.
+
 use course::environment::{SnapshotUpdate, snapshot_update};
 use course::{
     describe_difference, draw_panels, encode_png, locked_picture_path, read_locked_picture,
@@ -8,12 +10,12 @@ use insta::Settings;
 use std::fs;
 use std::path::PathBuf;
 
-/// Compares `picture` with the locked picture, pixel by pixel, as another encoder may write the
-/// same ones otherwise: `assert` hands the PNG file that it is given to insta, the locked file
-/// where the pixels are equal.
+/// Compares `picture` with the locked picture, pixel by pixel. `assert` gets a PNG file, and passes
+/// it to insta. If all pixels are equal, that is the locked file itself, because another version of
+/// the encoder may write the same pixels as different bytes.
 ///
-/// Prints how they differ in one sentence, and the command that accepts the picture, before insta
-/// says anything, and writes both and their difference into the target folder.
+/// If pixels differ, it first prints a sentence about them and the command that accepts the
+/// picture, and writes both pictures and their difference into the target folder.
 pub fn compare_pixels(name: &str, picture: &RgbImage, assert: impl FnOnce(Vec<u8>)) {
     let mut settings = Settings::clone_current();
     settings.set_prepend_module_to_snapshot(false);
@@ -21,7 +23,7 @@ pub fn compare_pixels(name: &str, picture: &RgbImage, assert: impl FnOnce(Vec<u8
     // This is where the panels are unless the target folder is elsewhere. The snapshot is the same
     // on every machine.
     settings.set_description(format!("target/differences/{name}.png"));
-    let mismatch = describe_mismatch(name, picture);
+    let mismatch = describe_and_save_mismatch(name, picture);
     match &mismatch {
         Some(text) => {
             let command = "INSTA_UPDATE=always cargo test --test pictures";
@@ -43,9 +45,9 @@ pub fn compare_pixels(name: &str, picture: &RgbImage, assert: impl FnOnce(Vec<u8
     }
 }
 
-/// How a picture differs from the locked one, or that there is none; None if it does not. Writes
-/// the panels of a difference.
-fn describe_mismatch(name: &str, picture: &RgbImage) -> Option<String> {
+/// Describes how a picture differs from the locked one, or that there is none, and writes the panels
+/// of the difference. Returns None if they are equal.
+fn describe_and_save_mismatch(name: &str, picture: &RgbImage) -> Option<String> {
     let path = locked_picture_path(name);
     let has_text = path.with_extension("").exists();
     let Some(locked) = read_locked_picture(name).ok().filter(|_| has_text) else {

@@ -1,4 +1,4 @@
-//! Helpers that the tests share: locked pictures, rays and random geometry.
+//! What the tests share: the list of locked pictures, the comparison of pixels, and random inputs.
 
 mod compare_pixels;
 mod picture_list;

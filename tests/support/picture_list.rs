@@ -1,7 +1,7 @@
 //! The list of the locked pictures.
 
 use course::examples::{checkerboard::colour as floor, mirror, terms};
-use course::{Picture, camera, camera_with_size, ungated_colour};
+use course::{DrawPicture, camera, camera_with_size, ungated_colour};
 use glam::{DMat3, DVec3};
 use image::RgbImage;
 use image::imageops::{FilterType, resize};
@@ -9,7 +9,7 @@ use step01_rays::Camera;
 use step05_phong::*;
 
 /// The name of a locked picture, its camera, and the function that draws it.
-pub type LockedPicture = (&'static str, Camera, Picture);
+pub type LockedPicture = (&'static str, Camera, DrawPicture);
 
 /// The locked pictures: of the steps and the exercises, of the chapters and the cover.
 pub fn locked_pictures() -> Vec<LockedPicture> {
@@ -70,7 +70,7 @@ fn white_sphere() -> Camera {
     crop_camera(camera_with_size(2560, 1440), [213.0, 926.0], [640, 360])
 }
 
-/// The camera of the course, with the tangent as a literal: no machine computes another.
+/// The camera of the course, with the tangent as a literal, so that it is the same on every machine.
 fn camera_without_tan() -> Camera {
     const TAN_30: f64 = 0.577_350_269_189_625_7;
     let d = 2.0 * TAN_30 / 639.0;
@@ -82,14 +82,14 @@ fn camera_without_tan() -> Camera {
     Camera { matrix, ..camera() }
 }
 
-/// Draws the scene of the mirrors before they reflect anything: shadows alone, of rays that start
-/// `offset` above a surface.
+/// Draws the scene of the mirrors with shadows only, before anything is reflected. The rays to the
+/// lights start `offset` above a surface.
 fn draw_shadows_of_mirrors(camera: &Camera, offset: f64) -> RgbImage {
     let scene = mirror::mirrors();
     render(camera, 1, |ray| mirror::colour(&scene, ray, 0, offset))
 }
 
-/// The camera of so many columns and rows of a picture, from this column and row of it on.
+/// The camera of a part of a picture: its first column and row, and its numbers of columns and rows.
 fn crop_camera(camera: Camera, corner: [f64; 2], [h_res, v_res]: [u32; 2]) -> Camera {
     let crop = DMat3::from_translation(corner.into());
     Camera { h_res, v_res, matrix: camera.matrix * crop, ..camera }

@@ -1,10 +1,12 @@
+//! Random inputs for laws that hold for all of them.
+
 use fastrand::Rng;
 use glam::DVec3;
 
-/// Random inputs, the same in each run.
+/// Random inputs, which are the same in every run.
 pub struct RandomInputs(Rng);
 
-/// Calls a law, which asserts what holds for all inputs, so many times.
+/// Calls a law this many times. A law asserts what holds for all inputs.
 pub fn test_law(count: usize, mut law: impl FnMut(&mut RandomInputs)) {
     let mut inputs = RandomInputs(Rng::with_seed(5));
     (0..count).for_each(|_| law(&mut inputs));

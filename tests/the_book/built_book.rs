@@ -1,3 +1,5 @@
+//! The book, built once for all tests.
+
 use anyhow::Result;
 use builder::{Files, Site};
 use course::environment::nextest_run_id;
@@ -5,7 +7,7 @@ use course::{target_folder, workspace};
 use std::fs::{self, File};
 use std::sync::LazyLock;
 
-/// The book, or the fault for which it can't be built.
+/// The book, or the reason why it can't be built.
 static BOOK: LazyLock<Result<Site>> = LazyLock::new(build_or_read);
 
 #[test]
@@ -15,13 +17,13 @@ fn book_is_built() {
     }
 }
 
-/// The book as its reader opens it.
+/// The book as a reader opens it.
 pub fn built_book() -> &'static Site {
     BOOK.as_ref().unwrap_or_else(|_| panic!("see the test book_is_built"))
 }
 
-/// Builds the book. nextest gives each test a process of its own, of which the first builds it for
-/// all.
+/// Builds the book. With nextest, each test has a process of its own, and the first one builds the
+/// book for all of them.
 fn build_or_read() -> Result<Site> {
     let folder = target_folder().join("tests/book");
     let Some(run) = nextest_run_id() else {
@@ -38,6 +40,7 @@ fn build_or_read() -> Result<Site> {
     Site::read(&folder)
 }
 
+/// The files of a folder of the project.
 pub fn read_folder(folder: &str) -> Files {
     let files = Files::read(&workspace().join(folder));
     files.unwrap_or_else(|error| panic!("{folder}: {error}"))

@@ -1,15 +1,16 @@
-//! A name in the text of a chapter is one of the code: what is renamed there is renamed here.
+//! Names in the text of a chapter are names of the code, so that no rename leaves one behind.
 
 use super::assert_no_faults;
 use super::built_book::read_folder;
 use super::source_listings::SOURCE_FILES;
 use std::collections::HashSet;
 
-/// Names that are in no file of the steps: of Rust's standard, of insta, of OpenGL, of a workflow.
+/// Names that are in no file of the steps, but in Rust's standard library, insta, OpenGL or a
+/// workflow.
 const FOREIGN_NAMES: [&str; 7] =
     ["break", "f32", "ceil", "INSTA_UPDATE", "unseen", "gluPerspective", "LATE"];
 
-/// The words of a text, each with what is before and after it.
+/// The words of a text, each with the text before it and the text after it.
 fn words(text: &str) -> impl Iterator<Item = (&str, &str, &str)> {
     let is_part = |c: char| c.is_alphanumeric() || c == '_';
     let words = text.split(move |c| !is_part(c)).filter(|word| !word.is_empty());
@@ -19,8 +20,8 @@ fn words(text: &str) -> impl Iterator<Item = (&str, &str, &str)> {
     })
 }
 
-/// Whether a word in code is a name: all of the code, `snake_case`, `CamelCase`, called, or part
-/// of a path.
+/// Whether a word in code has to be a name: because it is all of the code, `snake_case`,
+/// `CamelCase`, called as a function, or a part of a path.
 fn is_name(before: &str, word: &str, after: &str) -> bool {
     let mut pairs = word.chars().zip(word.chars().skip(1));
     word.starts_with(|c: char| c.is_alphabetic())
@@ -69,7 +70,7 @@ impl<'a> SourceNames<'a> {
         }
     }
 
-    /// Whether `owner::name` is in the code, or a file that declares the owner has the name.
+    /// Whether `owner::name` is in the code, or the name is in a file that declares the owner.
     fn has_path(&self, owner: &str, name: &str) -> bool {
         self.files.iter().any(|(_, code)| {
             let declares_owner = words(code).any(|(before, word, _)| {
@@ -86,7 +87,7 @@ impl<'a> SourceNames<'a> {
     }
 }
 
-/// What is wrong with the names in code of a chapter.
+/// What is wrong with the names in a chapter's code, in sentences.
 fn faults_in_code(code: &str, source: &SourceNames) -> Vec<String> {
     let mut faults = vec![];
     for (before, word, after) in words(code).filter(|(b, word, a)| is_name(b, word, a)) {

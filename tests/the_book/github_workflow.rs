@@ -1,6 +1,6 @@
-//! A class that starts from `book/reader` locks its pictures, and the workflow there is green
-//! for a picture that is drawn, but not for one that lies there. The commands of its two jobs are
-//! run as GitHub runs them, each job in a folder of its own.
+//! The workflow for a class that starts from `book/reader` passes if a student's program draws the
+//! picture, and fails if the picture is only a file. The commands of its two jobs are run as GitHub
+//! runs them, each job in a folder of its own.
 
 use super::built_book::built_book;
 use super::page_items::typed_files;
@@ -20,7 +20,7 @@ struct JobCommand {
     is_for_failure: bool,
 }
 
-/// The text of a job, up to the next.
+/// The text of a job, up to the next job.
 fn job_text(job: &str) -> &'static str {
     let (_, text) = WORKFLOW.split_once(&format!("\n  {job}:\n")).expect("the job");
     text.split_once("\n\n").map_or(text, |(text, _)| text)
@@ -32,7 +32,7 @@ fn job_commands(job: &str) -> Vec<JobCommand> {
     let command = |step: &str| {
         let (_, command) = step.split_once("run: ")?;
         let lines = command.lines().enumerate();
-        // A block has its lines further right than the keys of the step.
+        // The lines of a block are indented further than the keys of the step.
         let lines = lines.take_while(|(k, line)| *k == 0 || line.starts_with("          "));
         let lines: Vec<_> = lines.map(|(_, line)| line).filter(|line| *line != "|").collect();
         let is_for_failure = step.contains("if: failure()");
@@ -42,8 +42,8 @@ fn job_commands(job: &str) -> Vec<JobCommand> {
     commands.filter(|command| !command.lines.starts_with("rustup")).collect()
 }
 
-/// Runs a command of bash in a folder with variables, and gives what it prints; fails where the
-/// command does.
+/// Runs a command of bash in a folder with environment variables. Returns what it prints, or an
+/// error if the command fails.
 fn run(folder: &Path, command: &str, variables: &[(&str, &str)]) -> Result<String> {
     let manifest = format!("--manifest-path '{}'/", workspace().display());
     let lines = command.replace("--manifest-path course/", &manifest);
@@ -55,7 +55,7 @@ fn run(folder: &Path, command: &str, variables: &[(&str, &str)]) -> Result<Strin
         shell.env("CARGO_TARGET_DIR", target_folder());
         shell.env_remove("CARGO_BUILD_BUILD_DIR").env_remove("CARGO_INCREMENTAL");
     } else {
-        // As nowhere else, so that Cargo takes none of the crates of another folder.
+        // Different from all other folders, so that Cargo uses no crate that was built for another one.
         shell.env("CARGO_PROFILE_DEV_OPT_LEVEL", "2");
     }
     let Output { status, stdout, stderr } = shell.output()?;
@@ -87,8 +87,8 @@ fn type_first_step(folder: &Path) -> Result<()> {
     Ok(())
 }
 
-/// Runs both jobs on a clone of what is committed, where these pictures are required; gives what
-/// they print, and fails where the workflow is red.
+/// Runs both jobs on a clone of what is committed, with these pictures required. Returns what they
+/// print, or an error if the workflow fails.
 fn run_workflow(folder: &Path, required: &str) -> Result<String> {
     let jobs = folder.with_file_name("jobs");
     let _ = fs::remove_dir_all(&jobs);
@@ -96,7 +96,7 @@ fn run_workflow(folder: &Path, required: &str) -> Result<String> {
     fs::create_dir_all(draw.join("course")).expect("a folder");
     fs::create_dir_all(grade.join("class/drawn")).expect("a folder");
     run(&draw, "git clone --quiet ../../ada student", &[]).expect("a clone");
-    // A copy, as students' programs may write into it.
+    // A copy, because students' programs may write into it.
     let course = workspace();
     let copy = "cp -R \"$COURSE\"/steps course";
     run(&draw, copy, &[("COURSE", course.to_str().expect("UTF-8"))]).expect("a copy");
@@ -127,7 +127,7 @@ fn run_workflow(folder: &Path, required: &str) -> Result<String> {
     result.map(|()| text)
 }
 
-/// Renames a folder whose lock is compiled, runs the lock there, and renames it back.
+/// Renames a folder in which the crate `locked` is compiled, runs its tests, and renames it back.
 fn test_renamed_folder(folder: &Path) -> Result<()> {
     let renamed = folder.with_file_name("renamed");
     fs::rename(folder, &renamed)?;
@@ -167,8 +167,8 @@ fn workflow_is_green_for_a_picture_that_is_drawn() -> Result<()> {
     assert!(run_workflow(&folder, "step01_rays, step02_sphere").is_err());
     run(&class.join("jobs/draw/student"), "cargo test -p locked", &[])?;
     // Nothing draws the picture, but it is there: committed, copied by a setting of Cargo, in a
-    // folder of the name that the workflow draws in, and beside code that can't be compiled. Or
-    // the program draws another, and locks it in the course that lies beside it.
+    // folder with the name of the one that the workflow draws in, or beside code that doesn't
+    // compile. Or the program draws another picture, and locks that in the course beside it.
     fs::copy(locked_picture_path("step01_rays"), folder.join("step01_rays.png"))?;
     fs::copy(locked_picture_path("step02_sphere"), folder.join("wrong.png"))?;
     let attacks = [

@@ -1,7 +1,7 @@
-//! Promises of the book, checked in the HTML that a reader opens.
+//! What the book promises, tested in the HTML that a reader opens.
 //!
-//! The book is built once for all of these tests. The build itself fails where a chapter
-//! can't be expanded, a picture is none of the locked ones or has no text, a link is broken, or
+//! The book is built once for all of these tests. The build itself fails if a chapter can't be
+//! expanded, if a picture isn't a locked one or has no alternative text, if a link is broken, or if
 //! a page would fetch anything from elsewhere.
 
 mod built_book;

@@ -1,10 +1,12 @@
+//! What a reader who types along finds on a page.
+
 use builder::Page;
 use std::collections::BTreeMap;
 
 /// The texts of the files that were typed so far, by path.
 pub type TypedFiles<'a> = BTreeMap<&'a str, String>;
 
-/// Types the listings of whole pages.
+/// Types all listings of these pages, as a reader does.
 pub fn typed_files<'a>(pages: impl IntoIterator<Item = &'a Page>) -> TypedFiles<'a> {
     let mut typed = TypedFiles::new();
     for item in pages.into_iter().flat_map(page_items) {
@@ -15,7 +17,7 @@ pub fn typed_files<'a>(pages: impl IntoIterator<Item = &'a Page>) -> TypedFiles<
     typed
 }
 
-/// Something on a page that matters to a reader who types along.
+/// A part of a page that a reader who types along acts on.
 pub enum PageItem<'a> {
     Heading,
     /// The path of a file, and the lines to add at its end.
@@ -26,18 +28,18 @@ pub enum PageItem<'a> {
 
 /// A command on a page, with its output as the page shows it.
 pub struct PageCommand {
-    /// The page, and the place on it.
+    /// The page, and the position on it.
     pub location: String,
     /// The command, for a shell.
     pub line: String,
-    /// The exit code that the page promises, 0 where it promises none.
+    /// The exit code that the page promises, or 0 if it promises none.
     pub exit_code: i32,
     /// The output, in which `…` stands for any text.
     pub output: String,
 }
 
-/// The headings, listings and commands of a page, from top to bottom, but for the commands
-/// for a folder of the course itself.
+/// The headings, listings and commands of a page, from top to bottom, except the commands for our
+/// own folder.
 pub fn page_items(page: &Page) -> Vec<PageItem<'_>> {
     let mut items = vec![];
     for element in &page.elements {
@@ -54,7 +56,7 @@ pub fn page_items(page: &Page) -> Vec<PageItem<'_>> {
             (_, Some("listing")) => {
                 let path = element.attr("data-path").expect("the path of a listing");
                 let code = code();
-                // mdBook ends the last line of all code but Rust.
+                // mdBook ends the last line of code in any language except Rust.
                 let is_rust = code.attr("class").is_some_and(|class| class.contains("rust"));
                 let end = if is_rust { "\n" } else { "" };
                 items.push(PageItem::Listing(path, page.text(code).to_owned() + end));

@@ -1,3 +1,5 @@
+//! A workspace as a reader has it, in which the commands of the book are run.
+
 use super::built_book::built_book;
 use super::page_items::{TypedFiles, typed_files};
 use anyhow::Result;
@@ -7,7 +9,8 @@ use std::fs::{self, File};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
-/// The pages of a step, in the order of the book: the first word of their names is the step's.
+/// The pages of a step, in the order of the book. Their names begin with the first word of the
+/// step's name.
 pub fn pages_of_step<'a>(book: &'a Site, step: &str) -> impl Iterator<Item = &'a Page> {
     let pages = book.chapters_in_order().into_iter();
     pages.filter(move |page| page.name.split('_').next() == step.split('_').next())
@@ -21,8 +24,8 @@ pub struct ReaderWorkspace {
 }
 
 impl ReaderWorkspace {
-    /// Opens the workspace, in which files of an earlier run may lie: what is written again as it
-    /// was, Cargo need not compile again.
+    /// Opens the workspace. Files of an earlier run may be in it, so that Cargo doesn't compile again
+    /// what hasn't changed.
     pub fn open() -> Self {
         let folder = target_folder().join("typed");
         fs::create_dir_all(&folder).expect("a folder in the target folder");
@@ -31,7 +34,7 @@ impl ReaderWorkspace {
         Self { folder, _lock: lock }
     }
 
-    /// Opens the workspace with all that the book lists.
+    /// Opens the workspace and writes all the listings of the book into it.
     pub fn typed() -> Self {
         let (book, reader) = (built_book(), Self::open());
         let typed = typed_files(book.chapters_in_order());
@@ -72,8 +75,8 @@ impl ReaderWorkspace {
         self.write_if_changed("Cargo.toml", &manifest)
     }
 
-    /// Runs a program with its arguments, with our programs optimised as much; gives the exit code,
-    /// and what is printed.
+    /// Runs a program with its arguments, at this optimisation level. Returns the exit code and what
+    /// is printed.
     pub fn run(&self, words: &[&str], opt_level: &str) -> Result<(Option<i32>, String)> {
         self.list_members()?;
         let mut command = folder_command(&self.folder, words);
@@ -84,18 +87,18 @@ impl ReaderWorkspace {
     }
 }
 
-/// A program that runs with its arguments in a folder of a reader's.
+/// A command that runs a program with its arguments in a reader's folder.
 pub fn folder_command(folder: &Path, words: &[&str]) -> Command {
     let mut command = Command::new(words[0]);
     command.args(&words[1..]).current_dir(folder);
     command.env("CARGO_NET_OFFLINE", "true").env("CARGO_TERM_QUIET", "true");
-    // Dependencies are shared with the course: they are compiled already, with the same settings.
-    // The five crates have the same names there; who calls this optimises them otherwise, so that
+    // Dependencies are shared with ours, which are already compiled with the same settings. The
+    // five crates have the same names here and there, so the callers optimise them differently, and
     // neither overwrites the other.
     command.env("CARGO_BUILD_BUILD_DIR", target_folder()).env("CARGO_INCREMENTAL", "0");
-    // Commands set INSTA_UPDATE themselves. The other variable names our folder.
+    // The commands set INSTA_UPDATE themselves, and INSTA_WORKSPACE_ROOT is our folder.
     command.env_remove("INSTA_UPDATE").env_remove("INSTA_WORKSPACE_ROOT");
-    // Another platform would put the programs into another folder.
+    // With a target, the programs would be in another folder.
     command.env_remove("CARGO_BUILD_TARGET");
     command
 }

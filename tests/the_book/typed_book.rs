@@ -1,5 +1,5 @@
-//! The book suffices: typed from the first page to the last, its commands do what the
-//! pages say. `source_listings` tests that all files are typed in the end.
+//! A reader needs nothing but the book. Its listings are typed from the first page to the last, and
+//! its commands do what the pages say. `source_listings` tests that all files are typed in the end.
 
 use super::built_book::built_book;
 use super::page_items::{PageCommand, PageItem, TypedFiles, page_items};
@@ -10,8 +10,8 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::PathBuf;
 
-/// What a page asks to change before a command, in words: the end of the command, a file, what
-/// is there, and what is written instead. The next listings that are typed change it back.
+/// What a page asks the reader to change before a command: the end of the command, a file, the text
+/// there, and the text to write instead. The next listings that are typed change it back.
 const EDITS: [[&str; 4]; 3] = [
     ["$ cargo test -p locked", "steps/step01_rays/src/direction_colour.rs", "0.3 *", "0.31 *"],
     ["rash.png", "steps/step05_phong/examples/mirror.rs", "10, OFFSET", "0, 0.0"],
@@ -48,8 +48,8 @@ fn commands_do_what_their_pages_say() -> Result<()> {
     Ok(())
 }
 
-/// Whether a command runs an example that no page has listed yet, the reader's own: the solution
-/// of an exercise.
+/// Whether a command runs an example that no page has listed yet. It's the reader's own solution of
+/// an exercise.
 fn runs_unlisted_example(PageCommand { line, .. }: &PageCommand, typed: &TypedFiles) -> bool {
     line.split_once("--example ").is_some_and(|(_, words)| {
         let file = format!("/examples/{}.rs", words.split(' ').next().unwrap_or_default());
@@ -57,8 +57,8 @@ fn runs_unlisted_example(PageCommand { line, .. }: &PageCommand, typed: &TypedFi
     })
 }
 
-/// Runs a command of a page in the reader's workspace. Fails unless its exit code, output
-/// and pictures are as the page says; returns the names of the locked pictures it drew.
+/// Runs a command of a page in the reader's workspace. Returns the names of the locked pictures that
+/// it drew, or an error unless its exit code, output and pictures are as the page says.
 fn run_and_verify(reader: &ReaderWorkspace, command: &PageCommand) -> Result<Vec<String>> {
     for path in picture_paths(reader)? {
         fs::remove_file(path)?;
@@ -70,30 +70,30 @@ fn run_and_verify(reader: &ReaderWorkspace, command: &PageCommand) -> Result<Vec
             reader.write_if_changed(path, &text.replace(old, new))?;
         }
     }
-    // To compile once more takes minutes, and so does a benchmark.
+    // A release build would take minutes, and so would a benchmark.
     let line = command.line.replace("cargo bench", "cargo build").replace(" --release", "");
-    let place = format!("At {}, {}", command.location, command.line);
+    let location = format!("At {}, {}", command.location, command.line);
     let (code, text) = reader.run(&["bash", "-c", &line], "1")?;
-    ensure!(code == Some(command.exit_code), "{place}: {text}");
+    ensure!(code == Some(command.exit_code), "{location}: {text}");
     let mut expected_parts = command.output.lines().flat_map(|line| line.split('…'));
     let missing = expected_parts.find(|part| !text.contains(part));
-    ensure!(missing.is_none(), "{place} does not print {missing:?}, but {text}");
+    ensure!(missing.is_none(), "{location} does not print {missing:?}, but {text}");
     let mut names = vec![];
-    let is_another_size = command.line.contains("--width") && !command.line.contains("--output");
-    for path in picture_paths(reader)?.into_iter().filter(|_| !is_another_size) {
+    let has_another_size = command.line.contains("--width") && !command.line.contains("--output");
+    for path in picture_paths(reader)?.into_iter().filter(|_| !has_another_size) {
         let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
         if locked_picture_path(&name).is_file() {
             let picture = image::open(path)?.to_rgb8();
             let locked = read_locked_picture(&name).map_err(Error::msg)?;
             let difference = describe_difference(&locked, &picture);
-            ensure!(difference.is_none(), "{place} draws another {name}: {difference:?}");
+            ensure!(difference.is_none(), "{location} draws another {name}: {difference:?}");
             names.push(name);
         }
     }
     Ok(names)
 }
 
-/// The paths of the pictures that are in the reader's folder itself.
+/// The paths of the pictures at the top of the reader's folder.
 fn picture_paths(reader: &ReaderWorkspace) -> Result<Vec<PathBuf>> {
     let files = fs::read_dir(&reader.folder)?.flatten().map(|file| file.path());
     Ok(files.filter(|path| path.extension().is_some_and(|end| end == "png")).collect())

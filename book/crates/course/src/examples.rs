@@ -9,8 +9,9 @@ use crate::Step;
 use image::RgbImage;
 use step01_rays::Camera;
 
-/// Draws a picture for a camera. Each pixel is split into this number of sub-pixels each way.
-pub type Picture = fn(&Camera, u32) -> RgbImage;
+/// A function that draws a picture for a camera. Each pixel is split into this number of sub-pixels
+/// in each direction.
+pub type DrawPicture = fn(&Camera, u32) -> RgbImage;
 
 /// Declares the examples as modules. rustfmt finds no module in a macro, so it leaves their files
 /// alone.
@@ -27,7 +28,7 @@ macro_rules! examples {
 
         /// The pictures of the five steps, then those of the examples, step by step, each by its
         /// name.
-        pub const PICTURES: &[(&str, Picture)] = &[
+        pub const PICTURES: &[(&str, DrawPicture)] = &[
             ("step01_rays", step01_rays::picture),
             ("step02_sphere", step02_sphere::picture),
             ("step03_nearest", step03_nearest::picture),
@@ -90,13 +91,13 @@ examples! {
 }
 
 /// The function that draws the picture of a step or an example with this name.
-pub fn find_picture(name: &str) -> Option<Picture> {
+pub fn find_picture(name: &str) -> Option<DrawPicture> {
     PICTURES.iter().find(|(known, _)| *known == name).map(|(_, draw)| *draw)
 }
 
 impl Step {
     /// The function that draws the picture of the step.
-    pub fn picture(self) -> Picture {
+    pub fn picture(self) -> DrawPicture {
         PICTURES[self as usize].1
     }
 }

@@ -19,7 +19,7 @@ pub use camera::{camera, camera_with_fov, camera_with_size, primary_rays, slide_
 pub use step::Step;
 
 pub mod examples;
-pub use examples::{PICTURES, Picture, find_picture};
+pub use examples::{DrawPicture, PICTURES, find_picture};
 
 mod mistake;
 mod mistake_files;

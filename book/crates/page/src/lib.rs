@@ -1,6 +1,8 @@
-//! The modules that the pages of the book call, compiled for the browser: `live`, the figures;
-//! `check`, the pictures that a reader drops into a page; and `expressions`, the lines that a
-//! reader edits. Few readers do either.
+//! The modules that the pages of the book call, compiled for the browser.
+//!
+//! `live` draws the figures, `check` looks at the pictures that a reader drops into a page, and
+//! `expressions` draws with the lines that a reader edits. Each is a feature of this package and a
+//! file of its own, because few readers need the second and the third.
 
 #[cfg(feature = "check")]
 mod check;

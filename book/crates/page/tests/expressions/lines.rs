@@ -1,5 +1,5 @@
-//! What is said of lines that are refused, where they are read or while they draw: of the part
-//! between ⟦ and ⟧.
+//! What a reader is told about lines that are refused, when they are read or while they draw. The
+//! part that is wrong is between ⟦ and ⟧.
 
 use course::all_listed_places;
 use page::expressions::{Fault, Refusal, draw_edited, parse_expression};

@@ -1,5 +1,5 @@
-//! Each place as it stands draws the locked picture; a listed mistake that is typed into it draws
-//! that mistake's.
+//! The book's code, typed into a place, draws the locked picture. A listed mistake that is typed there
+//! draws the picture of that mistake.
 
 use course::environment::is_thorough;
 use course::{
@@ -9,8 +9,8 @@ use course::{
 use page::expressions::{draw_edited, parse_expression};
 use std::{fs, iter::once};
 
-/// The places as they stand, and a tenth of the listed mistakes that change one place and nothing
-/// else, or all of them with THOROUGH=1.
+/// Draws the book's code of every place, and a tenth of the listed mistakes that change one place and
+/// nothing else, or all of them with THOROUGH=1.
 #[test]
 fn places_and_listed_mistakes_are_drawn_by_an_edited_line() {
     let step = if is_thorough() { 1 } else { 10 };
@@ -40,7 +40,7 @@ fn places_and_listed_mistakes_are_drawn_by_an_edited_line() {
     assert!(10 * refusals.len() < count, "of {count}, these are refused:\n{refused_lines}");
 }
 
-/// What may be written at `place`, and the hash of the picture: as it stands, and with each mistake
+/// What can be written at `place`, with the hash of its picture: the book's code, and each mistake
 /// that changes nothing else.
 fn known_pictures(place: &Place) -> Vec<(String, u64)> {
     let path = format!("steps/{}", place.file);

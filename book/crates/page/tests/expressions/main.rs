@@ -1,4 +1,4 @@
-//! An edited line draws what the reader's program would, and what Rust would refuse is refused.
+//! Edited lines draw what the reader's own program would, and what Rust would refuse is refused.
 
 mod judged_by_rustc;
 mod lines;
