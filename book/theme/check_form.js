@@ -53,7 +53,7 @@
             } catch {
                 return show(2, `This page can't look at ${file.name}. In our folder, ask: cargo run --bin check`);
             }
-            // What comes after Reset, or after a newer file, is dropped.
+            // A reply that comes after Reset, or after a newer file, is ignored.
             /** @param {number | ""} exitCode @param {(Node | string)[]} children */
             const showIfAsked = (exitCode, ...children) => {
                 if (asked === worker) show(exitCode, ...children);
@@ -64,12 +64,12 @@
             const { scene: field } = /** @type {any} */ (form.elements);
             const scene = field?.value.trim().normalize();
             const request = `check ${scene ? `@${scene}` : form.dataset.check}\n${file.name}`;
-            // A larger file is too large, whatever follows.
+            // `check` refuses a larger file, so the rest of it isn't needed.
             Promise.all([book.modules.compile("check"), file.slice(0, 2 ** 26 + 1).arrayBuffer()])
                 .then(parts => asked.postMessage([...parts, request]), fail);
         };
         form.addEventListener("change", () => { if (input.files.length) checkFile(input.files[0]); });
-        // The same file, written again, is looked at again.
+        // Without this, choosing the same file again would fire no event.
         input.addEventListener("click", () => { input.value = ""; });
         form.addEventListener("reset", () => show(""));
         form.addEventListener("drop", ({ dataTransfer: { files } }) => {

@@ -6,19 +6,19 @@
     const field = /** @type {HTMLInputElement} */ (document.getElementById("search-field"));
     const [toggle, status, list] = ["search-toggle", "search-status", "search-results"].map(id => document.getElementById(id));
 
-    // What readers call by another name than the book.
+    // Words that readers use, with the book's words for the same thing.
     const SYNONYMS = new Map(Object.entries({
         acne: "rash", antialiasing: "rays pixel", bvh: "bounding volume", center: "centre", closest: "nearest", color: "colour",
         epsilon: "rash", falloff: "attenuation", intersection: "meet", performance: "faster", samples: "rays pixel",
         shiny: "shininess", spotlight: "spot light", supersampling: "rays pixel", theta: "θ", zbuffer: "nearest hit",
     }));
-    // More take long, and find nothing.
+    // A longer query takes long, and finds nothing.
     const MOST_LETTERS = 100, MOST_WORDS = 16;
     field.maxLength = MOST_LETTERS;
     const WORD = /[\p{L}\p{N}_]+/gu;
     /** @type {(text: string) => string[]} */
     const findWords = text => text.match(WORD) ?? [];
-    // Words that say nothing of what is looked for.
+    // Words that don't say what the reader looks for.
     const SMALL_WORDS = /^(an?|as|at|by|do(es)?|for|from|how|in|is|it|of|on|or|the|to|what|with)$/i;
     /** @param {string} query */
     const findSubjects = query => {
@@ -28,11 +28,11 @@
     // A word in one spelling, without the endings of most plurals and nouns.
     /** @param {string} word */
     const stem = word => word.toLowerCase().replace(/(?<=...)(ion)?s?$/, "");
-    // A name such as `to_radians` is found by its parts, too.
+    // A name such as `to_radians` is also found by its parts.
     /** @param {string} word */
     const findTerms = word => [word, ...word.split("_")].filter(Boolean).map(stem);
-    // The chapters come first, and what stands in them early, as it is explained there; last comes what
-    // repeats them.
+    // The chapters come first, and their early sections before late ones, since things are explained there.
+    // Pages that repeat the chapters come last.
     /** @type {(section: Section, id: number) => number} */
     const weigh = ({ page }, id) => (1.4 - id / sections.length)
         * (/^(mistakes|solutions|problems|teaching)/.test(page) ? 0.2 : /^(notation|slips|lecture|how)/.test(page) ? 0.5 : 1);
@@ -59,7 +59,7 @@
         index.addAll(sections.map((section, id) => ({ id, ...section })));
     }
 
-    // The sections with all words of a query, with its hyphens or without.
+    // The sections that have all words of a query, where a hyphen may also be a blank or nothing.
     /** @param {string} query */
     function findAll(query) {
         const queries = [" ", ""].map(link => findSubjects(query.replaceAll(/\b-\b/g, link))
@@ -78,7 +78,7 @@
         book.write(status, all.length ? count : query && near);
     }
 
-    // A section that is found: its title, and the words around the first that is found in it.
+    // A result: the title of its section, and the text around the first word that was found.
     /** @param {{ id: number, terms: string[] }} result */
     function makeItem({ id, terms }) {
         const { page, hash, chapter, title, prose, listings } = sections[id];
@@ -101,7 +101,7 @@
     toggle.addEventListener("click", open);
     box.querySelector("button").addEventListener("click", () => box.close());
     field.addEventListener("input", show);
-    // Enter opens the first; the page may be this one.
+    // Enter opens the first result, which may be on this page.
     field.form.addEventListener("submit", event => {
         event.preventDefault();
         list.querySelector("a")?.click();
@@ -115,7 +115,7 @@
         const step = { ArrowDown: 1, ArrowUp: -1 }[event.key];
         if (event.altKey || event.ctrlKey || event.metaKey) return;
         if (box.open && step) {
-            // Up and down go through the results.
+            // Up and down move through the results.
             /** @type {HTMLElement[]} */
             const stops = [field, ...list.querySelectorAll("a")];
             stops[stops.indexOf(/** @type {HTMLElement} */ (document.activeElement)) + step]?.focus();

@@ -1,5 +1,5 @@
-// Playwright's `test`, whose page knows where the book is and fails with every fault that a browser
-// tells: an error, a request that leaves the book, something that the policy forbids.
+// Playwright's `test`, whose page knows where the book is, and fails with every fault that the browser
+// reports: an error, a request that leaves the book, something that the policy forbids.
 import { test as base, expect } from '@playwright/test';
 import { pathToFileURL } from 'node:url';
 import { folder } from './book.js';
@@ -7,7 +7,7 @@ import { serve } from './server.js';
 
 export { expect };
 
-// Firefox says so of a formula that is drawn before all of it has come.
+// Firefox reports this for a formula that is drawn before all of it has come.
 const HARMLESS = /Incorrect number of children for <m/;
 
 export const test = base.extend({
@@ -34,7 +34,7 @@ export const test = base.extend({
       console.error(`the policy forbids ${event.blockedURI} by ${event.effectiveDirective}`);
     }));
     await use(page);
-    expect(faults.filter(fault => !HARMLESS.test(fault)), 'what the browser tells').toEqual([]);
+    expect(faults.filter(fault => !HARMLESS.test(fault)), 'what the browser reports').toEqual([]);
   },
 });
 
