@@ -1,18 +1,18 @@
 //! Builds the book from its chapters, the five crates and the locked pictures.
 //!
-//! `Sources` are what the chapters show: the workspace, and the pictures and scripts that pages
-//! find in `generated/`. `Course` is an mdBook preprocessor: it expands the chapters, for
-//! `mdbook serve` as for `cargo run`. `build` has mdBook write its pages, puts the styles into them,
-//! and writes the index of the search. At the end each link is followed.
+//! `Sources` are what the chapters show: the workspace, and the pictures and scripts that pages find
+//! in `generated/`. `ChapterPreprocessor` expands the chapters, for `mdbook serve` as well as for
+//! `cargo run`. `build` has mdBook write its pages, puts the styles into them, and writes the index of
+//! the search. At the end, every link is followed.
 //!
-//! A chapter is Markdown with *directives*, `{{#kind words}}`. Most stand alone in a paragraph;
-//! `value`, `number` and `our-folder` stand within a sentence:
+//! A chapter is Markdown with *directives*, `{{#kind words}}`. Most are a paragraph of their own;
+//! `value`, `number` and `our-folder` are part of a sentence:
 //!
-//! - A *listing* is a fence with one `include` of a file of a step or a part of it. It says where a
-//!   reader may edit it (`course::Place`). In a fence `rust,own_scene` it is updated on the page
-//!   when that picture changes.
+//! - A *listing* is a fence with one `include` of a file of a step, or of a part of it. It says where
+//!   a reader may edit it (`course::Place`). In a fence `rust,own_scene`, the page shows the program
+//!   of that scene once the reader changes it.
 //! - A *console* is a fence of commands: `console,ours` for our folder, `console,yours` for the
-//!   reader's, and `console,yours,refused` or `console,yours,fails` where a test expects that.
+//!   reader's, and `console,yours,refused` or `console,yours,fails` if a test expects that.
 //! - A *value* is computed by the steps when the book is built. A *number* is updated on the page
 //!   when its interactive figure changes.
 //! - A *figure* is a drawing of the crate `figures`, and a *picture* is a PNG file, locked or made
@@ -71,5 +71,5 @@ mod tests;
 pub use build::build;
 pub use files::Files;
 pub use page::{Element, Page, Site};
-pub use preprocessor::Course;
+pub use preprocessor::ChapterPreprocessor;
 pub use sources::Sources;

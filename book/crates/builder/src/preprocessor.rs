@@ -13,9 +13,9 @@ use std::path::Path;
 use std::sync::Arc;
 
 /// The preprocessor of the chapters: expands directives.
-pub struct Course(pub Arc<Sources>);
+pub struct ChapterPreprocessor(pub Arc<Sources>);
 
-impl Course {
+impl ChapterPreprocessor {
     /// Reads what the chapters of a workspace show, and writes beside them what mdBook copies
     /// from there.
     pub fn beside_chapters(workspace: &Path) -> Result<Self> {
@@ -26,7 +26,7 @@ impl Course {
     }
 }
 
-impl Preprocessor for Course {
+impl Preprocessor for ChapterPreprocessor {
     /// The name that it has in `book.toml`, so that `cargo run` takes this one in place of
     /// the command there.
     fn name(&self) -> &str {
