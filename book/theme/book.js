@@ -10,8 +10,8 @@ const book = /** @type {any} */ ({ root: document.documentElement });
     const { root } = book;
     root.classList.add("js");
 
-    // Under Trusted Types, what may be written into a page is what these scripts write, and what may be loaded is
-    // theirs. Where a server allows no policy, what needs one says so.
+    // Under Trusted Types, a page may only be given HTML that these scripts write, and may only load their
+    // addresses. If a server allows no policy, whatever needs one says so.
     const ownAddresses = new Set();
     let isOwnHTML = false;
     try {
@@ -89,10 +89,10 @@ const book = /** @type {any} */ ({ root: document.documentElement });
     }
     book.History = History;
 
-    // What has come near stays laid out.
+    // A part that has come near the view stays laid out.
     book.whenNear(document.querySelectorAll("main > *"), part => { part.style.contentVisibility = "visible"; });
 
-    // Theme: follow the system, or stay light, or stay dark.
+    // Theme: as the system has it, light or dark.
     {
         const themes = ["auto", "light", "dark"];
         const button = document.getElementById("theme-toggle");
@@ -111,7 +111,7 @@ const book = /** @type {any} */ ({ root: document.documentElement });
         });
     }
 
-    // Contents: mark this chapter and list its sections, to one of which a click leads.
+    // Contents: mark this chapter, and list its sections with links to them.
     {
         const contents = document.getElementById("contents");
         contents.addEventListener("click", event => {
@@ -131,7 +131,7 @@ const book = /** @type {any} */ ({ root: document.documentElement });
                 list.append(book.make("li", {}, book.make("a", { href: `#${heading.id}` }, ...words)));
             }
             if (list.children.length) here.closest("li").append(list);
-            // Once the page is laid out, as it will be anyway.
+            // Measured in the next frame, for which the page is laid out anyway.
             requestAnimationFrame(() => {
                 if (contents.scrollHeight > contents.clientHeight) here.scrollIntoView({ block: "center" });
             });
@@ -151,12 +151,12 @@ const book = /** @type {any} */ ({ root: document.documentElement });
         book.trustAddress(address);
         try {
             document.head.append(Object.assign(script, { src: address, async: isLarge, onload, onerror }));
-        } catch { // The server's policy doesn't let one script load another.
+        } catch { // The server's policy forbids that a script loads another one.
             onerror();
         }
     });
 
-    // Says, once, that a page lacks scripts.
+    // Says once that a script of the page is missing.
     /** @param {string} file */
     function sayMissing(file) {
         if (document.querySelector(".missing")) return;
@@ -165,13 +165,13 @@ const book = /** @type {any} */ ({ root: document.documentElement });
         document.querySelector("main").prepend(book.make("p", { class: "missing refused", role: "status" }, words));
     }
 
-    // Code: colours, when it comes near the view, and a button that copies a listing.
+    // Code: it is coloured when it comes near the view, and each listing has a button that copies it.
     const isWhole = document.body.matches(".whole");
     book.colourCode = code => {
         try { book.writeHTML(() => window.hljs?.highlightBlock(code)); } catch { /* It stays without colours. */ }
     };
     book.colour = code => void book.load("highlight.js").then(isLoaded => isLoaded && setTimeout(() => {
-        // A line that is being edited stays as it is, and one that has the focus keeps it.
+        // A listing that is being edited stays as it is. If one of its lines has the focus, it gets it back.
         if (code.querySelector("[data-book]")) return;
         const name = code.querySelector(":focus")?.dataset.line;
         book.colourCode(code);
@@ -187,7 +187,7 @@ const book = /** @type {any} */ ({ root: document.documentElement });
             const copy = /** @type {Element} */ (code.cloneNode(true));
             const edited = copy.querySelectorAll("[data-book]");
             for (const line of edited) line.textContent = line.dataset.book;
-            // The file's own line ends and blank lines, so that its parts can be put below each other.
+            // Add the blank lines that the file has there, so that its parts can be pasted below each other.
             const lines = Number(caption.parentElement.style.getPropertyValue("--lines"));
             const ends = lines + 1 - copy.textContent.split("\n").length;
             const text = copy.textContent + "\n".repeat(Math.max(0, ends));
@@ -195,14 +195,14 @@ const book = /** @type {any} */ ({ root: document.documentElement });
         });
     }
 
-    // Problems on paper: a number is right if it is within the tolerance, a part of the answer.
+    // Problems on paper: a number is right if its error is at most the tolerance, a fraction of the answer.
     for (const problem of isWhole ? [] : document.querySelectorAll(".problem")) {
         const [answer, tolerance] = [problem.dataset.answer, problem.dataset.tolerance].map(Number);
         const number = problem.querySelector(".number").textContent;
         const input = book.make("input", { required: "", placeholder: "your number", autocomplete: "off", "aria-label": `Your number for problem ${number}` });
         const verdict = book.make("output", {});
         const form = book.make("form", {}, input, book.make("button", {}, "Check"), verdict);
-        // A comma is a point, or parts the thousands.
+        // A comma is a decimal point, or separates thousands.
         /** @param {string} text */
         const judge = text => {
             const errors = [text, text.replace(/,(?=\d{3})/g, "")].map(one => book.readNumber(one) - answer).filter(Number.isFinite);
@@ -220,10 +220,10 @@ const book = /** @type {any} */ ({ root: document.documentElement });
         problem.insertBefore(form, problem.querySelector("details"));
     }
 
-    // What may scroll sideways takes the focus, so that the keyboard can scroll it.
+    // Parts that may scroll sideways take the focus, so that the keyboard can scroll them.
     document.querySelectorAll("main :is(pre, .table-wrapper)").forEach(part => { part.tabIndex = 0; });
 
-    // A translator leaves code, formulas and labels as they are.
+    // Translators should leave code, formulas and labels as they are.
     document.querySelectorAll("code, math, svg, .symbol, .path").forEach(part => part.setAttribute("translate", "no"));
 
     // The scripts that only some pages need, with what needs them. Each is run after those before it.

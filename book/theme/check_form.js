@@ -52,7 +52,7 @@
             } catch {
                 return show(2, `This page can't check ${file.name}. In our folder, run: cargo run --bin check`);
             }
-            // What comes after Reset, or after a newer file, is dropped.
+            // A reply that comes after Reset, or after a newer file, is ignored.
             /** @param {number | ""} exitCode @param {(Node | string)[]} children */
             const showIfAsked = (exitCode, ...children) => {
                 if (asked === worker) show(exitCode, ...children);
@@ -63,7 +63,7 @@
             const { scene: field } = /** @type {any} */ (form.elements);
             const scene = field?.value.trim().normalize();
             const request = `check ${scene ? `@${scene}` : form.dataset.check}\n${file.name}`;
-            // A larger file is too large, whatever follows.
+            // `check` refuses a larger file, so the rest of it isn't needed.
             Promise.all([book.modules.compile("check"), file.slice(0, 2 ** 26 + 1).arrayBuffer()])
                 .then(parts => asked.postMessage([...parts, request]), fail);
         };

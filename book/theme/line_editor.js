@@ -1,17 +1,17 @@
 "use strict";
 
-// Lines of the listings that the reader edits. A press on one, or a key, takes it in hand, and a
-// panel below the listing shows what it draws: the module `expressions` is the five steps, with
-// what is written in those places. One line at a time is in hand; what others have stays.
+// Lines of the listings that the reader edits. Pressing one, or a key on it, selects it, and a panel below
+// the listing shows what it draws: the module `expressions` is the five steps with the reader's text in
+// those places. One line at a time is selected; the others keep their text.
 {
-    const SMALL = 320, LARGE = 640; // Columns while one types, and at rest.
+    const SMALL = 320, LARGE = 640; // Columns while the reader types, and at rest.
     const REST = 300; // Milliseconds after the last key.
 
     // A line, by its name. Colours make new elements of the lines, unless they are edited.
     /** @type {(name: string) => EditedLine} */
     const find = name => document.querySelector(`[data-line="${name}"]`);
     /** @type {EditedLine | null} */
-    let hand = null;
+    let selected = null;
     // What was written, state by state: the texts of the edited lines by name.
     /** @type {UndoHistory<Record<string, string>>} */
     const states = new book.History({});
@@ -29,10 +29,10 @@
     const status = book.make("p", { role: "status" });
     const undo = button("↶", () => show(-1), "Undo");
     const redo = button("↷", () => show(1), "Redo");
-    const reset = button("Reset", () => { setText(hand, hand.dataset.book); hand.focus(); draw(LARGE); });
-    const copyLine = button("Copy line", () => book.copyBy(copyLine, readText(hand), "Line copied"));
+    const reset = button("Reset", () => { setText(selected, selected.dataset.book); selected.focus(); draw(LARGE); });
+    const copyLine = button("Copy line", () => book.copyBy(copyLine, readText(selected), "Line copied"));
     const copyLink = button("Copy link", () => { record(); book.copyBy(copyLink, location.href, "Link copied"); });
-    const close = button("✕", () => { const line = hand; release(); line.focus(); }, "Close");
+    const close = button("✕", () => { const line = selected; deselect(); line.focus(); }, "Close");
     const panel = book.make("div", { "class": "panel" }, canvas, book.make("div", {}, status,
         book.make("div", {}, undo, redo, reset, close, copyLine, copyLink)));
 
@@ -55,7 +55,7 @@
     /** @type {(event: Event) => EditedLine | null} */
     const lineOf = event => /** @type {Element} */ (event.target).closest("[data-line]");
 
-    // Makes the places of a listing texts to write in.
+    // Makes the places of a listing editable.
     /** @param {HTMLElement} listing */
     function makeEditable(listing) {
         const code = listing.querySelector("code");
@@ -72,7 +72,7 @@
         for (const kind of ["click", "beforeinput"]) {
             code.addEventListener(kind, event => {
                 const line = lineOf(event);
-                if (line && line !== hand) take(line);
+                if (line && line !== selected) select(line);
             });
         }
         code.addEventListener("keydown", event => {
@@ -81,9 +81,9 @@
             if ((event.ctrlKey || event.metaKey) && event.key.toLowerCase() === "z") {
                 show(event.shiftKey ? 1 : -1);
             } else if (event.key === "Enter") {
-                if (line === hand) draw(LARGE);
-                else take(line);
-            } else if (line === hand && event.key === "Escape") {
+                if (line === selected) draw(LARGE);
+                else select(line);
+            } else if (line === selected && event.key === "Escape") {
                 record();
                 setText(line, line.dataset.book);
                 close.click();
@@ -95,12 +95,12 @@
         code.addEventListener("input", drawSoon);
     }
 
-    // The text of a line; editors write blanks of their own.
+    // The text of a line. While one types, browsers write no-break spaces.
     /** @param {EditedLine} line */
     const readText = line => line.textContent.replace(/\u00a0/g, " ");
     /** @param {EditedLine} line */
     const isBook = line => readText(line) === line.dataset.book;
-    // A line that is edited, or in hand, keeps the book's text as well.
+    // A line that is edited, or selected, keeps the book's text as well.
     const findEdited = () => {
         /** @type {EditedLine[]} */
         const lines = [...document.querySelectorAll("[data-book]")];
@@ -120,13 +120,13 @@
         line.textContent = text;
         if (!isBook(line)) return;
         book.writeHTML(() => { line.innerHTML = line.bookHTML; });
-        if (line !== hand) delete line.dataset.book;
+        if (line !== selected) delete line.dataset.book;
     }
 
     /** @param {EditedLine} line */
-    function take(line) {
-        release();
-        hand = line;
+    function select(line) {
+        deselect();
+        selected = line;
         keepBook(line);
         line.ariaCurrent = "true";
         line.closest("figure").append(panel);
@@ -135,13 +135,13 @@
         draw(LARGE);
     }
 
-    // Deselects the line in hand, keeps its text, and closes the panel.
-    function release() {
-        if (!hand) return;
-        const line = hand;
+    // Deselects the line, keeps its text, and closes the panel.
+    function deselect() {
+        if (!selected) return;
+        const line = selected;
         clearLine();
         record();
-        hand = null;
+        selected = null;
         line.ariaCurrent = null;
         setText(line, readText(line));
         panel.remove();
@@ -150,7 +150,7 @@
         if (!code.matches(".hljs")) book.colour(code);
     }
 
-    // Notes what is written, for undo and in the address.
+    // Keeps what is written, for Undo and in the address.
     function record() {
         const edits = Object.fromEntries(findEdited().map(line => [line.dataset.line, readText(line)]).sort());
         states.record(edits);
@@ -160,7 +160,7 @@
         history.replaceState(null, "", hash.size ? `#${hash}` : location.pathname + location.search);
     }
 
-    // Shows what was written this many edits later, or earlier, and takes the line in hand that differs.
+    // Shows what was written this many edits later, or earlier, and selects the line that differs.
     /** @param {number} edits */
     function show(edits) {
         record();
@@ -168,7 +168,7 @@
         const [before, after] = [states.go(0), states.go(edits)];
         const differ = Object.keys({ ...before, ...after }).filter(name => before[name] !== after[name]).map(find);
         for (const line of differ) setText(line, after[line.dataset.line] ?? line.dataset.book);
-        take(differ[0]);
+        select(differ[0]);
         differ[0].focus({ preventScroll: true });
         getSelection().selectAllChildren(differ[0]);
         getSelection().collapseToEnd();
@@ -194,7 +194,7 @@
     // Draws what is written. The page says something about it only at rest.
     /** @param {number} columns */
     async function draw(columns) {
-        const line = hand;
+        const line = selected;
         if (hasControl(readText(line))) {
             panel.classList.add("old");
             return say("A control character is in this line, which nobody sees. Reset brings back the book’s.");
@@ -206,7 +206,7 @@
         let reply;
         try {
             const module = await book.modules.get("expressions");
-            if (line !== hand) return;
+            if (line !== selected) return;
             reply = book.ask(module, `edit ${columns} ${[line, ...others].map(words).join("\x1f")}`);
         } catch (error) {
             const { message } = /** @type {Error} */ (error);
@@ -236,7 +236,7 @@
     /** @param {string} text */
     function say(text) {
         const [sentence, list] = text.split("\n");
-        if (status.dataset.text === text) return; // A list stays open.
+        if (status.dataset.text === text) return; // An open list stays open.
         status.dataset.text = text;
         status.replaceChildren(sentence);
         if (!list) return;
@@ -245,23 +245,23 @@
         status.append(" ", names);
     }
 
-    // The line stays in view beside the panel.
+    // Keeps the line in view beside the panel.
     /** @param {Event} [event] */
     function keepInView(event) {
-        if (!hand) return;
+        if (!selected) return;
         document.documentElement.style.scrollPaddingBottom = `${panel.offsetHeight + 16}px`;
-        if (event || hand === document.activeElement) hand.scrollIntoView({ block: "nearest" });
+        if (event || selected === document.activeElement) selected.scrollIntoView({ block: "nearest" });
     }
 
-    // Marks a part of a line as wrong, or nothing.
+    // Marks a part of a line as wrong. Without a line, removes the mark.
     /** @param {EditedLine | null} [line] @param {number} [from] @param {number} [to] */
     function mark(line, from, to) {
-        hand.ariaInvalid = String(line === hand);
+        selected.ariaInvalid = String(line === selected);
         window.CSS.highlights?.delete("wrong");
         if (line) window.CSS.highlights?.set("wrong", new Highlight(makeRange(line, from, Math.max(1, to - from))));
     }
 
-    // Opens the edits that are in the address, and takes the first in hand.
+    // Takes the edits of the address over, and selects the first line of them.
     function openAddress() {
         const words = new URLSearchParams(location.hash.slice(1)).getAll("line");
         const places = document.querySelectorAll("[data-line]").length;
@@ -274,13 +274,13 @@
         const line = find(edits[0][1]);
         for (let box = line.closest("details"); box; box = box.parentElement.closest("details")) box.open = true;
         /** @type {HTMLElement} */ (line.closest("main > *")).style.contentVisibility = "visible";
-        take(line);
+        select(line);
         requestAnimationFrame(() => line.scrollIntoView({ block: "center" }));
     }
 
-    // What is as the book has it is closed by a click elsewhere. Undo takes another line only after this.
+    // A click elsewhere deselects a line that is as the book has it. This runs before Undo selects a line.
     addEventListener("click", event => {
-        if (hand && isBook(hand) && !event.composedPath().includes(hand.closest("figure"))) release();
+        if (selected && isBook(selected) && !event.composedPath().includes(selected.closest("figure"))) deselect();
     }, { capture: true });
     panel.addEventListener("toggle", keepInView, true);
     addEventListener("hashchange", openAddress);

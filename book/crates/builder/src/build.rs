@@ -2,7 +2,7 @@
 
 use crate::fault::Faults;
 use crate::inline_stylesheets::inline_stylesheets;
-use crate::preprocessor::Course;
+use crate::preprocessor::ChapterPreprocessor;
 use crate::sources::{GENERATED, Sources};
 use crate::{Files, Site, links, picture, search};
 use anyhow::{Context, Result, ensure};
@@ -82,7 +82,7 @@ fn write_and_check_pages(workspace: &Path, folder: &Path) -> Result<Site> {
     let sources = Arc::new(Sources::read(workspace)?);
     let mut book = MDBook::load(workspace.join("book")).context("the book can't be loaded")?;
     book.config.build.build_dir = folder.to_owned();
-    book.with_preprocessor(Course(sources.clone()));
+    book.with_preprocessor(ChapterPreprocessor(sources.clone()));
     book.build()?;
     let folder = book.build_dir_for("html");
     sources.generated.write(&folder.join(GENERATED))?;

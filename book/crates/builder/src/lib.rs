@@ -1,12 +1,12 @@
 //! Builds the book from its chapters, the five crates and the locked pictures.
 //!
 //! `Sources` is everything that the chapters show: files of the workspace, and the pictures and
-//! scripts in `generated/`. `Course` is the mdBook preprocessor that expands the chapters, both for
+//! scripts in `generated/`. `ChapterPreprocessor` is the mdBook preprocessor that expands the chapters, both for
 //! `mdbook serve` and for `cargo run`. `build` lets mdBook write the pages, copies the stylesheets
 //! into them and writes the search index. Finally it checks every link.
 //!
-//! A chapter is Markdown with *directives*, `{{#kind words}}`. Most stand alone in a paragraph;
-//! `value`, `number` and `our-folder` stand within a sentence:
+//! A chapter is Markdown with *directives*, `{{#kind words}}`. Most are a paragraph of their own;
+//! `value`, `number` and `our-folder` are part of a sentence:
 //!
 //! - A *listing* is a fence with one `include` of a file, or a part of a file. It marks the places
 //!   that a reader may edit (`course::Place`). In a fence `rust,own_scene`, it is updated on the
@@ -76,5 +76,5 @@ mod tests;
 pub use build::build;
 pub use files::Files;
 pub use page::{Element, Page, Site};
-pub use preprocessor::Course;
+pub use preprocessor::ChapterPreprocessor;
 pub use sources::Sources;

@@ -1,7 +1,7 @@
 //! Builds the book, and opens it with `--open`.
 
 use anyhow::{Result, anyhow};
-use builder::Course;
+use builder::ChapterPreprocessor;
 use course::{target_folder, workspace};
 use mdbook_preprocessor::Preprocessor;
 use std::env;
@@ -28,7 +28,7 @@ fn main() -> ExitCode {
 /// Reads the book that mdBook sends to stdin, and writes it to stdout with expanded chapters.
 fn preprocess_stdin() -> Result<()> {
     let (context, book) = mdbook_preprocessor::parse_input(stdin())?;
-    let book = Course::beside_chapters(&workspace())?.run(&context, book)?;
+    let book = ChapterPreprocessor::beside_chapters(&workspace())?.run(&context, book)?;
     Ok(serde_json::to_writer(stdout(), &book)?)
 }
 

@@ -12,11 +12,11 @@ use std::mem;
 use std::path::Path;
 use std::sync::Arc;
 
-/// The preprocessor, which expands the directives of all chapters.
-pub struct Course(pub Arc<Sources>);
+/// The preprocessor that expands the directives of all chapters.
+pub struct ChapterPreprocessor(pub Arc<Sources>);
 
-impl Course {
-    /// Reads the sources of a workspace, and writes the generated files beside the chapters, from
+impl ChapterPreprocessor {
+    /// Reads the sources of a workspace and writes the generated files beside the chapters, from
     /// where mdBook copies them.
     pub fn beside_chapters(workspace: &Path) -> Result<Self> {
         let folder = workspace.join(CHAPTERS).join(GENERATED);
@@ -26,8 +26,8 @@ impl Course {
     }
 }
 
-impl Preprocessor for Course {
-    /// The name is the one in `book.toml`, so that `cargo run` uses this preprocessor in place of
+impl Preprocessor for ChapterPreprocessor {
+    /// The name that it has in `book.toml`, so that `cargo run` takes this one in place of
     /// the command there.
     fn name(&self) -> &str {
         "course"

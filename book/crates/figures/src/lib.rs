@@ -3,7 +3,7 @@
 //! A [`Figure`] shows a *drawing* of lines and labels, or a *picture* of pixels; each is a function
 //! of its *parameters*, which have names, and of their values. The builder prints what the
 //! function gives at the defaults. The page calls the same function, compiled for the browser, when
-//! its reader moves a *handle* or a control: it sends a request, and [`reply`] has the answer.
+//! its reader moves a *handle* or a control: it sends a request, and gets a [`reply`].
 //!
 //! *Readouts* are texts elsewhere on the page that depend on the values. The *trace* of a pixel is
 //! all the numbers from its ray to its bytes; a *probe* is the handle that chooses the pixel.

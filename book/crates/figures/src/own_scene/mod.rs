@@ -2,7 +2,6 @@
 
 mod parameters;
 
-use crate::probe::SIZE;
 use crate::{COLUMNS, Content, EditableScene, Figure, Handle, Mark, ParameterId, ParameterValues};
 use course::{CHANNELS, COORDINATES, Owner, format_scene_program};
 use parameters::{PARAMETERS, Target, complete_scene, own_scene};
@@ -46,7 +45,7 @@ fn handle(owner: Owner, k: usize, presence: ParameterId) -> Handle {
                 Owner::Light => own.scene.lights[k].point_light.position,
                 _ => own.scene.objects[k].sphere.centre,
             };
-            (own.camera(SIZE.x as u32), point)
+            (own.camera(COLUMNS), point)
         })
     };
     let object = presence.object().unwrap_or_default();
