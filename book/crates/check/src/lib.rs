@@ -1,9 +1,10 @@
 //! `check`: what a picture says about the program that drew it.
 //!
-//! A picture is compared with a *target*: the locked picture of its name, or the scene that
-//! belongs to a name. Except for exercises, the target has a [`StepScene`](step_scene), a scene
-//! and the functions of a step. The [`Answer`] says only what holds in every pixel that it speaks
-//! of (`check`, `explain`):
+//! A picture is compared with a *target* (`target`): the locked picture of its name, or the scene
+//! that belongs to a name. Except for exercises, the target has a scene and the functions of the
+//! step that draws it (`step_scene`). The [`Answer`] has a verdict, a headline, details and causes.
+//! It says only what holds in every pixel that it speaks of. This is how it is found (`check`,
+//! `explain`):
 //!
 //! 1. The picture is **right**, or it is right **with other options** (`other_options`), for which
 //!    no code is blamed, or it is the picture of a different name.
@@ -11,7 +12,7 @@
 //! 3. **Causes**: everything we know of that gives every byte of it. That is a listed mistake
 //!    (`reader_picture`), one different number of the scene (`changed_number`), or a different
 //!    camera (`camera_fit`). Something that we don't know may give it, too.
-//! 4. If nothing of that explains it, **facts** (`facts`): pixels that were never drawn
+//! 4. If none of these explains it, **facts** (`facts`): pixels that were never drawn
 //!    (`undrawn`), sentences that are true of each wrong pixel (`byte_facts`) or of some of them,
 //!    and which objects are right and wrong (`regions`).
 //!
