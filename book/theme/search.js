@@ -26,11 +26,14 @@
         return (subjects.length ? subjects : words).slice(0, MOST_WORDS);
     };
     // Reduces a word to lower case, without the common endings of plurals and nouns.
+    /** @param {string} word */
     const stem = word => word.toLowerCase().replace(/(?<=...)(ion)?s?$/, "");
     // The terms by which a word is found. A name such as `to_radians` is found by its parts, too.
+    /** @param {string} word */
     const findTerms = word => [word, ...word.split("_")].filter(Boolean).map(stem);
     // The weight of a section. Chapters come first, and early sections before later ones, since they explain things
     // first. Pages that only repeat the chapters come last.
+    /** @type {(section: Section, id: number) => number} */
     const weigh = ({ page }, id) => (1.4 - id / sections.length)
         * (/^(mistakes|solutions|problems|teaching)/.test(page) ? 0.2 : /^(notation|slips|lecture|how)/.test(page) ? 0.5 : 1);
 
@@ -57,6 +60,7 @@
     }
 
     // Finds the sections that have all words of a query, whether its hyphens separate words or join them.
+    /** @param {string} query */
     function findAll(query) {
         const queries = [" ", ""].map(link => findSubjects(query.replaceAll(/\b-\b/g, link))
             .map(word => SYNONYMS.get(word.toLowerCase()) ?? word).join(" "));
@@ -75,6 +79,7 @@
     }
 
     // The list item of a section: its title, and the text around the first word that matches.
+    /** @param {{ id: number, terms: string[] }} result */
     function makeItem({ id, terms }) {
         const { page, hash, chapter, title, prose, listings } = sections[id];
         const text = `${prose} ${listings}`;
@@ -111,6 +116,7 @@
         if (event.altKey || event.ctrlKey || event.metaKey) return;
         if (box.open && step) {
             // The arrow keys move through the results.
+            /** @type {HTMLElement[]} */
             const stops = [field, ...list.querySelectorAll("a")];
             stops[stops.indexOf(/** @type {HTMLElement} */ (document.activeElement)) + step]?.focus();
         } else if (["/", "s"].includes(event.key) && !isTyping) open();

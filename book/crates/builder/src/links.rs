@@ -10,10 +10,10 @@ use thiserror::Error;
 
 /// A link of a page that leads nowhere, or fetches something from elsewhere.
 #[derive(Debug, Error)]
-#[error("{place}: {error}")]
+#[error("{element}: {error}")]
 pub struct LinkFault {
     /// The page, and the last id before the link.
-    place: String,
+    element: String,
     /// The error in its address.
     error: AddressError,
 }
@@ -46,7 +46,7 @@ pub fn find_faults(site: &Site) -> Vec<LinkFault> {
                     continue;
                 }
                 if let Err(error) = check_address(site, &ids, &page.name, address) {
-                    faults.push(LinkFault { place: page.address_for_fault(element), error });
+                    faults.push(LinkFault { element: page.address_for_fault(element), error });
                 }
             }
         }

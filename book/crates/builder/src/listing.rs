@@ -21,11 +21,11 @@ static PLACES: LazyLock<Vec<Place>> = LazyLock::new(course::all_listed_places);
 /// files of the reader's own folder. The first listing of a file on a page gets an id for links,
 /// such as `listing-step01_rays-src-ray.rs`; `ids` collects them.
 ///
-/// In a fence `rust,own_scene`, `live` is `own_scene`, and the page replaces the code with the
-/// number `rust` of that figure whenever the figure changes. In a fence `rust`, `live` is empty.
+/// In a fence `rust,own_scene`, `scene` is `own_scene`, and the page shows the program of that scene
+/// instead of the file once the reader changes it. In a fence `rust`, `scene` is empty.
 pub fn html(
     language: &str,
-    live: &str,
+    scene: &str,
     include: &str,
     sources: &Sources,
     ids: &mut Vec<String>,
@@ -38,21 +38,108 @@ pub fn html(
     let path = folders.iter().find_map(|folder| path.strip_prefix(folder)).unwrap_or(&path);
     let lines: Vec<&str> = text.lines().collect();
     let range = part_lines(part, &lines)?;
-    let part = match (range.start, range.len() == lines.len()) {
-        (_, true) => "",
-        (0, _) => r#" <span class="part">its beginning</span>"#,
-        _ => r#" <span class="part">add below</span>"#,
-    };
+    let extent = Extent::new(&range, lines.len());
     let code = lines[range].join("\n");
-    let old = file_of_step_before(path, &sources.workspace);
-    let changed = old.and_then(|old| changed_lines_style(&code, &old)).unwrap_or_default();
-    let mut attributes = places_attribute(path, &code);
-    if !live.is_empty() {
-        let scene = find(live).and_then(|figure| figure.editable_scene.as_ref());
-        scene.ok_or_else(|| ChapterError::UnknownProgram(live.to_owned()))?;
-        attributes += &format!(" data-code=\"{live}\"");
+    let scene = Some(scene).filter(|scene| !scene.is_empty());
+    if let Some(name) = scene
+        && find(name).is_none_or(|figure| figure.editable_scene.is_none())
+    {
+        return Err(ChapterError::UnknownProgram(name.to_owned()));
     }
-    Ok(figure_markdown(path, &attributes, part, &changed, (language, &code), ids))
+    let new_lines =
+        file_of_step_before(path, &sources.workspace).map_or(vec![], |old| new_lines(&code, &old));
+    let listing = Listing { path, language, code: &code, extent, new_lines, scene };
+    Ok(listing.markdown(ids))
+}
+
+/// A listing of a page.
+struct Listing<'a> {
+    path: &'a str,
+    language: &'a str,
+    code: &'a str,
+    extent: Extent,
+    /// The lines, from 0, that the same file of an earlier step doesn't have.
+    new_lines: Vec<usize>,
+    /// The editable scene whose program the page puts in place of the file.
+    scene: Option<&'a str>,
+}
+
+/// Which part of its file a listing shows.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Extent {
+    WholeFile,
+    Beginning,
+    LaterPart,
+}
+
+impl Extent {
+    fn new(lines: &Range<usize>, line_count: usize) -> Self {
+        match lines.start {
+            0 if lines.end == line_count => Self::WholeFile,
+            0 => Self::Beginning,
+            _ => Self::LaterPart,
+        }
+    }
+
+    /// What the caption says of it.
+    fn words(self) -> Option<&'static str> {
+        match self {
+            Self::WholeFile => None,
+            Self::Beginning => Some("its beginning"),
+            Self::LaterPart => Some("add below"),
+        }
+    }
+}
+
+impl Listing<'_> {
+    /// The code in a fence, under its caption. Adds the id, if it is new, to `ids`.
+    fn markdown(&self, ids: &mut Vec<String>) -> String {
+        let Self { path, language, code, .. } = self;
+        let short_path = path.strip_prefix("steps/").unwrap_or(path);
+        let name_start = short_path.rfind('/').map_or(0, |slash| slash + 1);
+        let (folder, file) = (escape(&short_path[..name_start]), escape(&short_path[name_start..]));
+        let part = self.extent.words();
+        let part =
+            part.map_or(String::new(), |part| format!(r#" <span class="part">{part}</span>"#));
+        format!(
+            "<figure class=\"listing\"{} style=\"{}\">\
+             <figcaption><span class=\"path\">{folder}<b>{file}</b></span>{part}</figcaption>\n\n\
+             ```{language}\n{code}\n```\n\n</figure>\n",
+            self.attributes(ids),
+            self.style(),
+        )
+    }
+
+    fn attributes(&self, ids: &mut Vec<String>) -> String {
+        let short_path = self.path.strip_prefix("steps/").unwrap_or(self.path);
+        let mut attributes = vec![];
+        let id = format!("listing-{}", short_path.replace('/', "-"));
+        if !ids.contains(&id) {
+            attributes.push(("id", id.clone()));
+            ids.push(id);
+        }
+        attributes.push(("data-path", escape(self.path)));
+        attributes.extend(places_list(self.path, self.code).map(|places| ("data-places", places)));
+        attributes.extend(self.scene.map(|scene| ("data-code", scene.to_owned())));
+        let attributes = attributes.iter().map(|(name, value)| format!(" {name}=\"{value}\""));
+        attributes.collect()
+    }
+
+    /// The number of lines, and a bar beside each new one, unless more than half of all are new.
+    fn style(&self) -> String {
+        let mut style = format!("--lines: {}", self.code.split('\n').count());
+        let are_few = 2 * self.new_lines.len() <= self.code.lines().count();
+        if are_few && !self.new_lines.is_empty() {
+            let bars = self.new_lines.iter().map(|k| {
+                format!(
+                    "linear-gradient(var(--accent), var(--accent)) 0 calc({k} * 1lh) / 3px 1lh \
+                     no-repeat"
+                )
+            });
+            style += &format!("; --changed: {}", bars.collect::<Vec<_>>().join(", "));
+        }
+        style
+    }
 }
 
 /// The text of the file of the same name in the nearest earlier step that has one.
@@ -63,61 +150,26 @@ fn file_of_step_before(path: &str, workspace: &Path) -> Option<String> {
         .find_map(|name| fs::read_to_string(workspace.join("steps").join(name).join(file)).ok())
 }
 
-/// The style that paints a bar beside each line of the code that isn't in the `old` text. Returns
-/// None if more than half of the lines are new.
-fn changed_lines_style(code: &str, old: &str) -> Option<String> {
+/// The lines of `code`, from 0, that the `old` text doesn't have.
+fn new_lines(code: &str, old: &str) -> Vec<usize> {
     let is_new = |line: &str| !old.lines().any(|known| known == line);
-    let new: Vec<_> = code.lines().enumerate().filter(|(_, line)| is_new(line)).collect();
-    let bars = new.iter().map(|(k, _)| {
-        format!(
-            "linear-gradient(var(--accent), var(--accent)) 0 calc({k} * 1lh) / 3px 1lh no-repeat"
-        )
-    });
-    let bars = bars.collect::<Vec<_>>().join(", ");
-    (2 * new.len() <= code.lines().count()).then(|| format!("; --changed: {bars}"))
+    let lines = code.lines().enumerate().filter(|(_, line)| is_new(line));
+    lines.map(|(k, _)| k).collect()
 }
 
-/// The attribute that says where a reader may edit the code. For each place, it has the name, and
-/// the start and length in UTF-16 code units, as JavaScript counts. See book/theme/line_editor.js.
-fn places_attribute(path: &str, code: &str) -> String {
-    let letters = |text: &str| text.encode_utf16().count();
-    let file = path.strip_prefix("steps/");
-    let places = PLACES.iter().filter(|place| file == Some(place.file));
-    let entries = places.filter_map(|place| {
+/// Says where a reader may edit the code: for each place its name, and its start and length in
+/// UTF-16 code units, as JavaScript counts. See book/theme/line_editor.js. Returns None if there is
+/// no place.
+fn places_list(path: &str, code: &str) -> Option<String> {
+    let code_units = |text: &str| text.encode_utf16().count();
+    let file = path.strip_prefix("steps/")?;
+    let entries = PLACES.iter().filter(|place| place.file == file).filter_map(|place| {
         let range = place.find_range(code).ok()?;
-        let (start, length) = (letters(&code[..range.start]), letters(&code[range]));
+        let (start, length) = (code_units(&code[..range.start]), code_units(&code[range]));
         Some(format!("{}:{start}:{length}", place.name))
     });
-    match entries.collect::<Vec<_>>().join(" ") {
-        none if none.is_empty() => none,
-        places => format!(" data-places=\"{places}\""),
-    }
-}
-
-/// The Markdown of a listing. `part` is the HTML that says which part of the file at `path` it
-/// shows, and `changed` is the style that marks the new lines.
-fn figure_markdown(
-    path: &str,
-    attributes: &str,
-    part: &str,
-    changed: &str,
-    (language, code): (&str, &str),
-    ids: &mut Vec<String>,
-) -> String {
-    let short_path = path.strip_prefix("steps/").unwrap_or(path);
-    let name_start = short_path.rfind('/').map_or(0, |name_start| name_start + 1);
-    let (folder, file) = (escape(&short_path[..name_start]), escape(&short_path[name_start..]));
-    let new = Some(format!("listing-{}", short_path.replace('/', "-")));
-    let new = new.filter(|id| !ids.contains(id));
-    ids.extend(new.clone());
-    let id = new.map_or(String::new(), |id| format!(r#" id="{id}""#));
-    format!(
-        "<figure class=\"listing\"{id} data-path=\"{}\"{attributes} style=\"--lines: {}{changed}\">\
-         <figcaption><span class=\"path\">{folder}<b>{file}</b></span>{part}</figcaption>\n\n\
-         ```{language}\n{code}\n```\n\n</figure>\n",
-        escape(path),
-        code.split('\n').count(),
-    )
+    let entries: Vec<_> = entries.collect();
+    (!entries.is_empty()).then(|| entries.join(" "))
 }
 
 /// The lines of a part such as `use..impl Ray`: from the item that begins with the first words up
@@ -170,10 +222,38 @@ mod tests {
         }
     }
 
+    fn listing(code: &str, new_lines: Vec<usize>) -> Listing<'_> {
+        let path = "steps/step02_sphere/src/sphere.rs";
+        Listing { path, language: "rust", code, extent: Extent::Beginning, new_lines, scene: None }
+    }
+
+    #[test]
+    fn new_lines_are_those_that_the_old_text_does_not_have() {
+        assert_eq!(new_lines("a\nb\nc", "c\na"), [1]);
+    }
+
     #[test]
     fn new_lines_are_marked_unless_they_are_more_than_half() {
-        let style = changed_lines_style("a\nb", "b\nc").expect("a style");
-        assert!(style.contains("calc(0 * 1lh)") && !style.contains("calc(1 * 1lh)"), "{style}");
-        assert_eq!(changed_lines_style("a\nb", "c"), None);
+        let style = listing("a\nb", vec![1]).style();
+        assert!(style.starts_with("--lines: 2; --changed: ") && style.contains("calc(1 * 1lh)"));
+        assert_eq!(listing("a\nb", vec![0, 1]).style(), "--lines: 2");
+        assert_eq!(listing("a\nb", vec![]).style(), "--lines: 2");
+    }
+
+    #[test]
+    fn caption_says_which_part_of_the_file_it_is() {
+        for (lines, words) in
+            [(0..6, None), (0..2, Some("its beginning")), (2..6, Some("add below"))]
+        {
+            assert_eq!(Extent::new(&lines, 6).words(), words, "{lines:?}");
+        }
+    }
+
+    #[test]
+    fn only_the_first_listing_of_a_file_has_an_id() {
+        let mut ids = vec![];
+        let listing = listing("a", vec![]);
+        assert!(listing.markdown(&mut ids).contains(" id=\"listing-step02_sphere-src-sphere.rs\""));
+        assert!(!listing.markdown(&mut ids).contains(" id="));
     }
 }

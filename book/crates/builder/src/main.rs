@@ -41,8 +41,8 @@ fn build_and_report(opens_browser: bool) -> Result<()> {
     let site = builder::build(&workspace(), &folder)?;
     let (count, time) = (site.chapters_in_order().len(), start.elapsed());
     let index = folder.join("index.html");
-    let place = index.display();
-    let _ = writeln!(stdout(), "Built {count} chapters in {time:.1?}.\nThe first page is {place}");
+    let page = index.display();
+    let _ = writeln!(stdout(), "Built {count} chapters in {time:.1?}.\nThe first page is {page}");
     let patience = Duration::from_secs(2);
     if opens_browser && open::that_detached_with_timeout(&index, patience).is_err() {
         let _ = writeln!(stdout(), "No browser could be started to open it.");
