@@ -98,7 +98,7 @@ fn more_lines_than_there_are_places_are_not_drawn() {
 }
 
 #[test]
-fn answer_is_about_the_lines_and_no_others() {
+fn reply_is_about_the_lines_and_no_others() {
     for (lines, words) in [
         ("near (-b - d.sqrt()) / (2.0 * a) + 0.1", "This picture can't show"),
         ("nearer t < best.as_ref().map_or(f64::INFINITY, |hit| hit.t)", "Not one pixel differs"),
