@@ -53,9 +53,9 @@ fn files_below(folder: &Path) -> Vec<PathBuf> {
     files.flatten().collect()
 }
 
-/// The name of a snapshot of words is the function of its test, or a string in its crate. Only insta
-/// knows for certain which snapshots are compared (`cargo insta test --unreferenced=reject`), but a
-/// name that occurs nowhere belongs to no test.
+/// The name of a snapshot of words is the function of its test, or a string in its crate. Only
+/// insta knows for certain which snapshots are compared (`cargo insta test --unreferenced=reject`),
+/// but a name that occurs nowhere belongs to no test.
 #[test]
 fn each_snapshot_of_words_has_its_name_in_its_crate() {
     let (mut orphans, mut count) = (vec![], 0);

@@ -14,7 +14,8 @@ use glam::DMat3;
 use step01_rays::Camera;
 use support::{camera, locked_pictures};
 
-/// Declares programs as modules. rustfmt finds no module in a macro, so it leaves their files alone.
+/// Declares programs as modules. rustfmt finds no module in a macro, so it leaves their files
+/// alone.
 macro_rules! programs {
     ($($name:ident: $path:literal,)*) => {
         $(#[allow(dead_code, reason = "its main only runs in its program")] #[path = $path] mod $name;)*

@@ -68,8 +68,8 @@ fn refraction_obeys_snell_and_is_reversible() {
     });
 }
 
-/// A ray that has entered a ball from outside is never totally reflected in it, so the picture can't
-/// show this.
+/// A ray that has entered a ball from outside is never totally reflected in it, so the picture
+/// can't show this.
 #[test]
 fn glass_mirrors_all_light_that_leaves_it_beyond_42_degrees() {
     let scene = glass::glasses(1.5);

@@ -1,5 +1,5 @@
-//! Predictions that a chapter asks for and a run decides: the program, changed as the question says,
-//! shows what the book says that it shows. Each test quotes the book.
+//! Predictions that a chapter asks for and a run decides: the program, changed as the question
+//! says, shows what the book says that it shows. Each test quotes the book.
 
 use glam::DVec3;
 use step02_sphere::{Ray, Roots};

@@ -45,8 +45,8 @@ pub fn compare_pixels(name: &str, picture: &RgbImage, assert: impl FnOnce(Vec<u8
     }
 }
 
-/// Describes how a picture differs from the locked one, or that there is none, and writes the panels
-/// of the difference. Returns None if they are equal.
+/// Describes how a picture differs from the locked one, or that there is none, and writes the
+/// panels of the difference. Returns None if they are equal.
 fn describe_and_save_mismatch(name: &str, picture: &RgbImage) -> Option<String> {
     let path = locked_picture_path(name);
     let has_text = path.with_extension("").exists();

@@ -70,7 +70,8 @@ fn white_sphere() -> Camera {
     crop_camera(camera_with_size(2560, 1440), [213.0, 926.0], [640, 360])
 }
 
-/// The camera of the course, with the tangent as a literal, so that it is the same on every machine.
+/// The camera of the course, with the tangent as a literal, so that it is the same on every
+/// machine.
 fn camera_without_tan() -> Camera {
     const TAN_30: f64 = 0.577_350_269_189_625_7;
     let d = 2.0 * TAN_30 / 639.0;
@@ -89,7 +90,8 @@ fn draw_shadows_of_mirrors(camera: &Camera, offset: f64) -> RgbImage {
     render(camera, 1, |ray| mirror::colour(&scene, ray, 0, offset))
 }
 
-/// The camera of a part of a picture: its first column and row, and its numbers of columns and rows.
+/// The camera of a part of a picture: its first column and row, and its numbers of columns and
+/// rows.
 fn crop_camera(camera: Camera, corner: [f64; 2], [h_res, v_res]: [u32; 2]) -> Camera {
     let crop = DMat3::from_translation(corner.into());
     Camera { h_res, v_res, matrix: camera.matrix * crop, ..camera }

@@ -55,7 +55,8 @@ fn run(folder: &Path, command: &str, variables: &[(&str, &str)]) -> Result<Strin
         shell.env("CARGO_TARGET_DIR", target_folder());
         shell.env_remove("CARGO_BUILD_BUILD_DIR").env_remove("CARGO_INCREMENTAL");
     } else {
-        // Different from all other folders, so that Cargo uses no crate that was built for another one.
+        // Different from all other folders, so that Cargo uses no crate that was built for another
+        // one.
         shell.env("CARGO_PROFILE_DEV_OPT_LEVEL", "2");
     }
     let Output { status, stdout, stderr } = shell.output()?;

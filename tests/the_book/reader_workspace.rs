@@ -24,8 +24,8 @@ pub struct ReaderWorkspace {
 }
 
 impl ReaderWorkspace {
-    /// Opens the workspace. Files of an earlier run may be in it, so that Cargo doesn't compile again
-    /// what hasn't changed.
+    /// Opens the workspace. Files of an earlier run may be in it, so that Cargo doesn't compile
+    /// again what hasn't changed.
     pub fn open() -> Self {
         let folder = target_folder().join("typed");
         fs::create_dir_all(&folder).expect("a folder in the target folder");
@@ -75,8 +75,8 @@ impl ReaderWorkspace {
         self.write_if_changed("Cargo.toml", &manifest)
     }
 
-    /// Runs a program with its arguments, at this optimisation level. Returns the exit code and what
-    /// is printed.
+    /// Runs a program with its arguments, at this optimisation level. Returns the exit code and
+    /// what is printed.
     pub fn run(&self, words: &[&str], opt_level: &str) -> Result<(Option<i32>, String)> {
         self.list_members()?;
         let mut command = folder_command(&self.folder, words);

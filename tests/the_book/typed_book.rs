@@ -57,8 +57,8 @@ fn runs_unlisted_example(PageCommand { line, .. }: &PageCommand, typed: &TypedFi
     })
 }
 
-/// Runs a command of a page in the reader's workspace. Returns the names of the locked pictures that
-/// it drew, or an error unless its exit code, output and pictures are as the page says.
+/// Runs a command of a page in the reader's workspace. Returns the names of the locked pictures
+/// that it drew, or an error unless its exit code, output and pictures are as the page says.
 fn run_and_verify(reader: &ReaderWorkspace, command: &PageCommand) -> Result<Vec<String>> {
     for path in picture_paths(reader)? {
         fs::remove_file(path)?;

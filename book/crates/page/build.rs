@@ -11,7 +11,7 @@ use place::{Place, all_listed_places};
 use std::cmp::Reverse;
 use std::error::Error;
 use std::fs::{create_dir_all, read_dir, read_to_string, write};
-use std::{env, path::Path};
+use std::{collections::BTreeMap, env, path::Path};
 
 const STEPS: &str = "../../../steps";
 
@@ -25,26 +25,35 @@ fn main() -> Result<(), Box<dyn Error>> {
     let places = all_listed_places();
     let out = env::var("OUT_DIR")?;
     let mut modules = String::new();
+    for (name, text) in source_files()? {
+        let step = name.split('/').next().unwrap_or_default();
+        let module = format!("expressions::steps::{step}");
+        let copy = match &*name {
+            "step01_rays/src/draw_pixels.rs" => DRAW_PIXELS.to_owned(),
+            _ => with_questions(&crate_as_module(&text, &module, ["step0"]), &name, &places),
+        };
+        let path = Path::new(&out).join(&name);
+        create_dir_all(path.parent().unwrap_or(&path))?;
+        write(&path, copy)?;
+        if name.ends_with("/lib.rs") {
+            modules += &format!("#[path = {name:?}]\npub mod {step};\n");
+        }
+    }
+    Ok(write(Path::new(&out).join("steps.rs"), modules)?)
+}
+
+/// The texts of the steps' files by their paths, such as `step01_rays/src/ray.rs`. They are in
+/// order, so that the copy is the same on every machine.
+fn source_files() -> Result<BTreeMap<String, String>, Box<dyn Error>> {
+    let mut files = BTreeMap::new();
     for step in read_dir(STEPS)? {
         for file in step?.path().join("src").read_dir().into_iter().flatten() {
             let path = file?.path();
             let name = path.strip_prefix(STEPS)?.display().to_string().replace('\\', "/");
-            let step = name.split('/').next().unwrap_or_default();
-            let text = read_to_string(&path)?.replace('\r', "");
-            let module = format!("expressions::steps::{step}");
-            let copy = match &*name {
-                "step01_rays/src/draw_pixels.rs" => DRAW_PIXELS.to_owned(),
-                _ => with_questions(&crate_as_module(&text, &module, ["step0"]), &name, &places),
-            };
-            if name.ends_with("/lib.rs") {
-                modules += &format!("#[path = {name:?}]\npub mod {step};\n");
-            }
-            let path = Path::new(&out).join(&name);
-            create_dir_all(path.parent().unwrap_or(&path))?;
-            write(&path, copy)?;
+            files.insert(name, read_to_string(path)?.replace('\r', ""));
         }
     }
-    Ok(write(Path::new(&out).join("steps.rs"), modules)?)
+    Ok(files)
 }
 
 /// The text of a file of the steps, in which each place first asks for the value of the reader's

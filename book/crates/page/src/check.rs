@@ -1,3 +1,5 @@
+//! Replies to the requests of the forms that look at a picture.
+
 use ::check::{check_png, check_scene_png};
 use course::json;
 use figures::Reply;

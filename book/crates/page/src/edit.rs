@@ -175,4 +175,27 @@ mod tests {
         assert!(fault.pixels.is_empty() && picture.text.starts_with(r#"{"size":[16,9],"#));
         assert_eq!(picture.pixels.len(), 16 * 9 * 4);
     }
+
+    #[test]
+    fn branches_of_vectors_are_drawn_in_full_size() {
+        for line in [
+            "diffuse if n.dot(l) > 0.5 { material.diffuse } else if n.dot(l) > 0.0 \
+             { material.diffuse * 0.4 } else { DVec3::ZERO }",
+            "sky if v.x * v.x + v.y * v.y < 0.04 { DVec3::new(1.0, 0.9, 0.2) } \
+             else { 0.7 + 0.3 * v }",
+        ] {
+            let text = edit(&format!("640 {line}")).text;
+            assert!(text.contains("\"size\":[640,360]"), "{line}: {text}");
+        }
+    }
+
+    #[test]
+    fn long_line_is_drawn_smaller() {
+        for operators in [20, 60] {
+            let line = format!("sky v{}", "+v".repeat(operators));
+            let text = edit(&format!("640 {line}")).text;
+            assert!(text.contains("\"size\":[320,180]"), "{line}: {text}");
+            assert!(text.contains("Drawn smaller"), "{line}: {text}");
+        }
+    }
 }

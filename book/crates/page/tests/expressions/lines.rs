@@ -51,28 +51,6 @@ fn operations_are_counted_where_they_are_evaluated() {
 }
 
 #[test]
-fn branches_of_vectors_are_drawn_in_full_size() {
-    for line in [
-        "diffuse if n.dot(l) > 0.5 { material.diffuse } else if n.dot(l) > 0.0 \
-         { material.diffuse * 0.4 } else { DVec3::ZERO }",
-        "sky if v.x * v.x + v.y * v.y < 0.04 { DVec3::new(1.0, 0.9, 0.2) } else { 0.7 + 0.3 * v }",
-    ] {
-        let text = page::reply(&format!("edit 640 {line}"), &[]).text;
-        assert!(text.contains("\"size\":[640,360]"), "{line}: {text}");
-    }
-}
-
-#[test]
-fn long_line_is_drawn_smaller() {
-    for operators in [20, 60] {
-        let line = format!("sky v{}", "+v".repeat(operators));
-        let text = page::reply(&format!("edit 640 {line}"), &[]).text;
-        assert!(text.contains("\"size\":[320,180]"), "{line}: {text}");
-        assert!(text.contains("Drawn smaller"), "{line}: {text}");
-    }
-}
-
-#[test]
 fn too_long_text_is_refused() {
     for (text, words) in [
         ("-".repeat(10_000), "longer than a line"),
@@ -98,7 +76,7 @@ fn more_lines_than_there_are_places_are_not_drawn() {
 }
 
 #[test]
-fn answer_is_about_the_lines_and_no_others() {
+fn reply_is_about_the_lines_and_no_others() {
     for (lines, words) in [
         ("near (-b - d.sqrt()) / (2.0 * a) + 0.1", "This picture can't show"),
         ("nearer t < best.as_ref().map_or(f64::INFINITY, |hit| hit.t)", "Not one pixel differs"),

@@ -1,5 +1,5 @@
-//! The book's code, typed into a place, draws the locked picture. A listed mistake that is typed there
-//! draws the picture of that mistake.
+//! The book's code, typed into a place, draws the locked picture. A listed mistake that is typed
+//! there draws the picture of that mistake.
 
 use course::environment::is_thorough;
 use course::{
@@ -9,8 +9,8 @@ use course::{
 use page::expressions::{draw_edited, parse_expression};
 use std::{fs, iter::once};
 
-/// Draws the book's code of every place, and a tenth of the listed mistakes that change one place and
-/// nothing else, or all of them with THOROUGH=1.
+/// Draws the book's code of every place, and a tenth of the listed mistakes that change one place
+/// and nothing else, or all of them with THOROUGH=1.
 #[test]
 fn places_and_listed_mistakes_are_drawn_by_an_edited_line() {
     let step = if is_thorough() { 1 } else { 10 };
