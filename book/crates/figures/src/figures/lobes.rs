@@ -10,9 +10,9 @@ const ANGLE: ParameterId = ParameterId::new("angle");
 
 /// The drawing, with its title and caption.
 const CONTENT: Content = Content::Drawing {
-    title: "Lobes around the reflection vector r: for the exponents 1, 10, 40 and 150 they are ever narrower, and all of the same length along r.",
+    title: "Lobes around the reflection vector r: for the exponents 1, 10, 40 and 150, they get narrower and narrower, and all have the same length along r.",
     caption: "The highlight $\\max(r \\cdot v, 0)^n$, drawn as a shape, a *lobe*: the brighter it is in a direction $v$, \
-                  the further the lobe reaches. All lobes are equally long along $r$; a larger $n$ leaves less to the sides. \
+                  the further the lobe reaches. All lobes are equally long along $r$; a larger $n$ makes them narrower. \
                   Where a lobe crosses the dotted circle, the highlight is down to one half. \
                   <span class='move'>Turn the light, and let $n$ grow.</span>",
     draw,

@@ -19,7 +19,7 @@ const T_RANGE: [f64; 2] = [-5.4, 13.2];
 const CONTENT: Content = Content::Drawing {
     title: "The scene of step 3 from above: the eye, the ray of a pixel, and what the plane of its row cuts out of each sphere; the roots are marked on the ray.",
     caption: "The scene from above, cut along row {{#number step03_nearest:j}}, with the ray of this pixel and \
-                  every root on what is drawn of its line. $V_z$ is $-1$, so $t$ is the depth.",
+                  every root on the visible part of its line. $V_z$ is $-1$, so $t$ is the depth.",
     draw,
 };
 
