@@ -44,12 +44,16 @@ impl ExpandedChapter {
 }
 
 /// Expands the listings, formulas, figures, numbers, pictures and boxes in the `text` of a chapter.
-/// `our_folder` is Markdown that says where the source of the book is.
-pub fn expand_chapter(text: &str, sources: &Sources, our_folder: &str) -> ExpandedChapter {
+/// `source_place_markdown` is Markdown that says where the source of the book is.
+pub fn expand_chapter(
+    text: &str,
+    sources: &Sources,
+    source_place_markdown: &str,
+) -> ExpandedChapter {
     let mut chapter = Chapter {
         text,
         sources,
-        our_folder,
+        source_place_markdown,
         expanded: String::new(),
         expanded_end: 0,
         faults: vec![],
@@ -78,7 +82,7 @@ struct Chapter<'a> {
     /// The text as its author wrote it.
     text: &'a str,
     sources: &'a Sources,
-    our_folder: &'a str,
+    source_place_markdown: &'a str,
     /// The result for the text up to the position `expanded_end`.
     expanded: String,
     expanded_end: usize,
@@ -114,7 +118,7 @@ impl<'a> Chapter<'a> {
     }
 
     /// Pairs a position in the text with the matching one in the expanded text.
-    fn position(&mut self, in_text: usize) -> Position {
+    fn copy_and_pair_position(&mut self, in_text: usize) -> Position {
         self.copy_until(in_text);
         Position { in_text, in_expanded: self.expanded.len() }
     }
@@ -154,7 +158,7 @@ impl<'a> Chapter<'a> {
                 Event::Start(_) => {
                     nesting += 1;
                     if nesting == 1 {
-                        self.begin_noted_block(range.start);
+                        self.open_noted_block(range.start);
                     }
                 }
                 Event::End(_) => nesting -= 1,
@@ -180,7 +184,7 @@ impl<'a> Chapter<'a> {
     }
 
     /// Opens the frame around a block and its notes, if the block at this position has any.
-    fn begin_noted_block(&mut self, start: usize) {
+    fn open_noted_block(&mut self, start: usize) {
         if self.noted_blocks.iter().any(|block| block.start == start) {
             self.copy_until(start);
             self.expanded += note::OPENING_HTML;
@@ -212,7 +216,7 @@ impl<'a> Chapter<'a> {
         Some(match event {
             Event::Start(Tag::CodeBlock(kind)) => self.expand_code_block(kind, source),
             Event::Start(Tag::Paragraph) => {
-                let html = self.expand_paragraph(events, range)?;
+                let html = self.expand_directive_or_pictures(events, range)?;
                 html.map(|html| format!("\n{html}\n"))
             }
             Event::Start(Tag::TableRow) => match Directive::parse(source) {
@@ -222,13 +226,13 @@ impl<'a> Chapter<'a> {
                 _ => return None,
             },
             Event::Start(Tag::Strong) => {
-                let position = self.position(range.start);
-                self.open_problem.as_mut()?.begin_bold_words(position);
+                let position = self.copy_and_pair_position(range.start);
+                self.open_problem.as_mut()?.record_bold_start(position);
                 return None;
             }
             Event::End(TagEnd::Strong) => {
-                let position = self.position(range.end);
-                self.open_problem.as_mut()?.end_bold_words(position);
+                let position = self.copy_and_pair_position(range.end);
+                self.open_problem.as_mut()?.record_bold_end(position);
                 return None;
             }
             Event::Start(Tag::Image { dest_url, .. }) => {
@@ -244,11 +248,11 @@ impl<'a> Chapter<'a> {
             }
             Event::Code(_) => numbers::fill_in_code(source, values),
             Event::Text(_) | Event::Html(_) | Event::InlineHtml(_) => {
-                self.find_lone_dollar(source, range.start);
+                self.report_lone_dollar(source, range.start);
                 let first = source.find("{{#")?;
-                let our_folder = self.our_folder;
+                let source_place_markdown = self.source_place_markdown;
                 let text = replace_directives(&source[first..], |directive| match directive.kind {
-                    "our-folder" => Ok(our_folder.to_owned()),
+                    "our-folder" => Ok(source_place_markdown.to_owned()),
                     _ => numbers::number_html(directive, values),
                 });
                 self.replace(range.start + first..range.end, text);
@@ -259,7 +263,7 @@ impl<'a> Chapter<'a> {
     }
 
     /// Adds a fault if there is a $ in `source`, a piece of text or HTML that begins at `start`.
-    fn find_lone_dollar(&mut self, source: &str, start: usize) {
+    fn report_lone_dollar(&mut self, source: &str, start: usize) {
         let mut positions = source.match_indices('$').map(|(index, _)| start + index);
         if let Some(position) = positions.find(|k| !self.text[..*k].ends_with('\\')) {
             self.add_fault(position, ChapterError::LoneDollar);
@@ -277,7 +281,7 @@ impl<'a> Chapter<'a> {
         let content = lines[..lines.len().saturating_sub(1)].join("\n");
         let include = Directive::parse(&content).filter(|directive| directive.kind == "include");
         let html = if let Some(Directive { words, .. }) = include {
-            listing::html(language, word, words, self.sources, &mut self.listings)?
+            listing::markdown(language, word, words, self.sources, &mut self.listings)?
         } else if language == "console" {
             console::figure_markdown(word, &content)?
         } else if ["", "rust", "toml"].contains(&language) {
@@ -289,7 +293,7 @@ impl<'a> Chapter<'a> {
     }
 
     /// Expands a paragraph that consists of one directive, or only of pictures.
-    fn expand_paragraph(
+    fn expand_directive_or_pictures(
         &mut self,
         events: &Events,
         range: &Range<usize>,
@@ -305,7 +309,7 @@ impl<'a> Chapter<'a> {
         Some(match (kind, words) {
             ("figure", name) => figure::html(name, values),
             ("check", name) => check_form::html(name, self.sources),
-            ("mistakes", step) => mistake_gallery::html(step, self.sources, &mut self.loading),
+            ("mistakes", step) => mistake_gallery::markdown(step, self.sources, &mut self.loading),
             ("problem", _) if self.open_problem.is_some() || self.open_box.is_some() => {
                 Err(ChapterError::ProblemInBox)
             }
@@ -343,10 +347,10 @@ impl<'a> Chapter<'a> {
             return Err(ChapterError::BoxInBox);
         }
         self.open_box = Some(start);
-        let text_end = self.position(start);
+        let answer_start = self.copy_and_pair_position(start);
         match &mut self.open_problem {
             Some(_) if kind != "answer" => return Err(ChapterError::MissingAnswer),
-            Some(problem) => problem.begin_answer(text_end),
+            Some(problem) => problem.record_answer_start(answer_start),
             None => {}
         }
         html
@@ -363,7 +367,7 @@ impl<'a> Chapter<'a> {
             Err(error) => (None, Err(error)),
         };
         self.replace(range.clone(), html);
-        let text_start = self.position(range.end);
+        let text_start = self.copy_and_pair_position(range.end);
         self.open_problem = Some(OpenProblem::new(heading, range.start, text_start));
     }
 
@@ -416,7 +420,7 @@ impl<'a> Chapter<'a> {
         if !is_whole || pictures.is_empty() {
             return None;
         }
-        let live = match live.map(|directive| find_live(directive.words)).transpose() {
+        let live = match live.map(|directive| find_live_figure(directive.words)).transpose() {
             Ok(live) => live,
             Err(error) => return Some(Err(error)),
         };
@@ -446,8 +450,8 @@ impl<'a> Chapter<'a> {
     }
 }
 
-fn find_live(name: &str) -> ChapterResult<&'static Figure> {
-    figures::find(name).ok_or_else(|| ChapterError::UnknownLive(name.to_owned()))
+fn find_live_figure(name: &str) -> ChapterResult<&'static Figure> {
+    figures::find_figure(name).ok_or_else(|| ChapterError::UnknownLive(name.to_owned()))
 }
 
 /// Whether code is a name such as `Ray::at`, in which a line may break.

@@ -71,7 +71,7 @@ pub struct OpenProblem {
     /// The end of the first line.
     text_start: Position,
     /// The start of the answer.
-    text_end: Option<Position>,
+    answer_start: Option<Position>,
     /// The start and end of the first bold words of the answer.
     bold_start: Option<Position>,
     bold_end: Option<Position>,
@@ -79,22 +79,22 @@ pub struct OpenProblem {
 
 impl OpenProblem {
     pub fn new(heading: Option<Heading>, start: usize, text_start: Position) -> Self {
-        Self { heading, start, text_start, text_end: None, bold_start: None, bold_end: None }
+        Self { heading, start, text_start, answer_start: None, bold_start: None, bold_end: None }
     }
 
-    pub fn begin_answer(&mut self, position: Position) {
-        self.text_end = Some(position);
+    pub fn record_answer_start(&mut self, position: Position) {
+        self.answer_start = Some(position);
     }
 
     /// Records where bold words begin, if they are the first of the answer.
-    pub fn begin_bold_words(&mut self, position: Position) {
-        if self.text_end.is_some() {
+    pub fn record_bold_start(&mut self, position: Position) {
+        if self.answer_start.is_some() {
             self.bold_start.get_or_insert(position);
         }
     }
 
     /// Records where bold words end, if they are the first of the answer.
-    pub fn end_bold_words(&mut self, position: Position) {
+    pub fn record_bold_end(&mut self, position: Position) {
         if self.bold_start.is_some() {
             self.bold_end.get_or_insert(position);
         }
@@ -103,7 +103,7 @@ impl OpenProblem {
     /// Returns the problem, once its `{{#end}}` has been reached. Returns None if it has no answer
     /// or its first line is an error, which has already been reported.
     pub fn finish(self, text: &str, expanded: &str) -> Option<ChapterResult<Problem>> {
-        let (start, end) = (self.text_start, self.text_end?);
+        let (start, end) = (self.text_start, self.answer_start?);
         let heading = self.heading?;
         let words = text[start.in_text..end.in_text].split_whitespace();
         if words.count() > MAX_WORDS {

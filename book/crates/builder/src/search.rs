@@ -7,7 +7,7 @@ use anyhow::Result;
 /// The script that gives the search the text of the book. For each page, it has the name, the
 /// title, and the id, title, prose and listings of each section.
 pub fn index_script(site: &Site) -> Result<String> {
-    let pages = site.chapters_in_order().into_iter().map(|page| {
+    let pages = site.pages_in_order().into_iter().map(|page| {
         let sections = sections(page);
         let title = sections.first().map(|[_, title, ..]| title.clone());
         (&page.name, title.unwrap_or_default(), sections)

@@ -32,7 +32,7 @@ pub struct TableRow {
 }
 
 /// The names and hashes of the right pictures.
-pub fn locked_hashes() -> impl Iterator<Item = (&'static str, u64)> {
+pub fn hashes_of_right_pictures() -> impl Iterator<Item = (&'static str, u64)> {
     table_lines().filter_map(|line| {
         let (name, hash) = line.strip_prefix("= ")?.split_once(' ')?;
         Some((name, u64::from_str_radix(hash, 16).ok()?))
@@ -72,8 +72,8 @@ pub fn find_mistakes_with_hash(hash: u64) -> Vec<(&'static Mistake, &'static str
 
 /// The names of all pictures to compare with: those of the steps, then those of the examples in the
 /// order of their steps.
-pub fn locked_names() -> Vec<&'static str> {
-    locked_hashes().map(|(name, _)| name).collect()
+pub fn names_of_right_pictures() -> Vec<&'static str> {
+    hashes_of_right_pictures().map(|(name, _)| name).collect()
 }
 
 /// The columns and rows of a small picture.
@@ -136,6 +136,6 @@ mod tests {
 
     #[test]
     fn locked_names_begin_with_the_steps() {
-        assert_eq!(locked_names()[..Step::NAMES.len()], Step::NAMES);
+        assert_eq!(names_of_right_pictures()[..Step::NAMES.len()], Step::NAMES);
     }
 }

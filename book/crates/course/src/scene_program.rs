@@ -41,8 +41,8 @@ fn replace_body(program: &mut String, function: &str, body: &str) {
 
 /// The scene as an expression.
 fn scene_body(own: &OwnScene) -> String {
-    let objects = lines(own.scene.objects.iter().map(ball_call));
-    let lights = lines(own.scene.lights.iter().map(lamp_call));
+    let objects = indented_lines(own.scene.objects.iter().map(ball_call));
+    let lights = indented_lines(own.scene.lights.iter().map(lamp_call));
     let ambient_light = vector_call(own.scene.ambient_light);
     format!(
         "    Scene {{
@@ -102,7 +102,7 @@ fn mirrors_body(own: &OwnScene) -> String {
 }
 
 /// Each item in a line of its own.
-fn lines(items: impl Iterator<Item = String>) -> String {
+fn indented_lines(items: impl Iterator<Item = String>) -> String {
     let lines: String = items.map(|item| format!("\n            {item},")).collect();
     if lines.is_empty() { lines } else { lines + "\n        " }
 }
@@ -151,7 +151,10 @@ mod tests {
 
     #[test]
     fn items_have_a_line_each() {
-        assert_eq!(lines(["a", "b"].into_iter().map(str::to_owned)).trim(), "a,\n            b,");
-        assert_eq!(lines([].into_iter()), "");
+        assert_eq!(
+            indented_lines(["a", "b"].into_iter().map(str::to_owned)).trim(),
+            "a,\n            b,"
+        );
+        assert_eq!(indented_lines([].into_iter()), "");
     }
 }

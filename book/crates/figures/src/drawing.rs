@@ -35,12 +35,13 @@ impl Drawing {
 
     /// A line through all `points`.
     pub fn path(&mut self, class: &str, points: impl IntoIterator<Item = DVec2>) {
-        self.body += &format!(r#"<path class="{class}" d="{}"></path>"#, commands(points));
+        self.body += &format!(r#"<path class="{class}" d="{}"></path>"#, path_commands(points));
     }
 
     /// The area whose corners are `points`.
     pub fn area(&mut self, class: &str, points: impl IntoIterator<Item = DVec2>) {
-        self.body += &format!(r#"<path class="{class} area" d="{}Z"></path>"#, commands(points));
+        self.body +=
+            &format!(r#"<path class="{class} area" d="{}Z"></path>"#, path_commands(points));
     }
 
     /// A circle.
@@ -96,7 +97,7 @@ impl Drawing {
 }
 
 /// The commands of a path through `points`.
-fn commands(points: impl IntoIterator<Item = DVec2>) -> String {
+fn path_commands(points: impl IntoIterator<Item = DVec2>) -> String {
     let pairs = points.into_iter().map(|DVec2 { x, y }| format!("{x:.2} {y:.2}"));
     format!("M{}", pairs.collect::<Vec<_>>().join("L"))
 }

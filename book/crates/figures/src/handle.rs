@@ -75,7 +75,7 @@ impl Handle {
     }
 
     /// A handle that sets one parameter.
-    pub fn of_one(
+    pub fn of_parameter(
         words: &'static str,
         parameter: ParameterId,
         locate: impl Fn(&ParameterValues) -> DVec2 + Send + Sync + 'static,
@@ -97,13 +97,13 @@ impl Handle {
         let locate = move |values: &ParameterValues| {
             view.to_drawing(distance * direction_left_of_up(values[parameter]))
         };
-        Self::of_one(words, parameter, locate, move |_, position| {
+        Self::of_parameter(words, parameter, locate, move |_, position| {
             (view.degrees_left_of_up(position) + 90.0).rem_euclid(360.0) - 90.0
         })
     }
 
     /// The handle of a point of a drawing.
-    pub fn of_point(point: PointId, view: View) -> Self {
+    pub fn of_point_in_drawing(point: PointId, view: View) -> Self {
         let locate = move |values: &ParameterValues| Some(view.to_drawing(values.point(point)));
         let coordinates = [point.x(), point.y()];
         Self::new(point.0, coordinates, locate, move |_, position| view.to_world(position))
@@ -112,7 +112,7 @@ impl Handle {
     /// The handle of a point of the world in a picture, whose x and y are these parameters; its z
     /// stays. It is dragged at most to `margin` from the border, and stays where it is if no point
     /// at its z is ahead. There is nothing to drag while `camera_and_point` gives None.
-    pub fn in_picture(
+    pub fn of_world_point_in_picture(
         words: &'static str,
         coordinates: [ParameterId; 2],
         margin: f64,

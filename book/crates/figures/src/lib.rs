@@ -38,7 +38,7 @@ mod pictures;
 pub use pictures::discriminant;
 
 mod figure_list;
-pub use figure_list::{FIGURES, find};
+pub use figure_list::{FIGURES, find_figure};
 
 mod address;
 mod reply;

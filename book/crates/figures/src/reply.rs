@@ -1,7 +1,7 @@
 //! The replies to the requests of a page.
 
 use crate::address::{format_address, parse_address, parse_values};
-use crate::{AddressError, Content, Figure, Mark, Parameter, ParameterValues, find};
+use crate::{AddressError, Content, Figure, Mark, Parameter, ParameterValues, find_figure};
 use course::json;
 use glam::{DVec2, dvec2};
 use image::{Rgb, RgbImage};
@@ -79,7 +79,7 @@ fn try_reply(request: &str) -> Result<Reply, RequestError> {
     let unknown = || RequestError::UnknownRequest(request.to_owned());
     let (verb, rest) = request.split_once(' ').ok_or_else(unknown)?;
     let (name, rest) = rest.split_once(' ').unwrap_or((rest, ""));
-    let figure = find(name).ok_or_else(unknown)?;
+    let figure = find_figure(name).ok_or_else(unknown)?;
     let (text, rest) = rest.split_once(' ').unwrap_or((rest, ""));
     let numbers = rest.split_whitespace().map(str::parse).collect::<Result<Vec<f64>, _>>();
     let numbers = numbers.map_err(|_| unknown())?;
@@ -251,7 +251,7 @@ mod tests {
     }
 
     #[test]
-    fn probe_leaves_the_picture_as_it_is() {
+    fn dragging_a_probe_sends_no_pixels() {
         let reply = try_reply("drag step02_sphere  0 10.5 20.5").expect("a reply");
         assert!(reply.pixels.is_empty() && reply.text.contains("\"positions\":[[10.5,20.5]"));
     }

@@ -2,8 +2,8 @@
 
 use crate::expressions::{Expression, Fault, LineRefusal, draw_edited, parse_expression};
 use course::{
-    Mistake, Place, PlaceNote, all_listed_places, find_mistakes_with_hash, hash_picture, json,
-    locked_hashes,
+    Mistake, Place, PlaceNote, all_listed_places, find_mistakes_with_hash, hash_picture,
+    hashes_of_right_pictures, json,
 };
 use figures::Reply;
 use image::RgbImage;
@@ -101,7 +101,7 @@ pub fn edit(words: &str) -> Reply {
             ("line", json::quote(place)),
             ("from", refusal.range.start.to_string()),
             ("to", refusal.range.end.to_string()),
-            ("mistake", json::quote(&refusal.to_string())),
+            ("fault", json::quote(&refusal.to_string())),
         ]),
     }
 }
@@ -110,7 +110,7 @@ pub fn edit(words: &str) -> Reply {
 fn describe(lines: &[(Place, &str)], picture: &RgbImage) -> Option<String> {
     let (place, _) = lines.first()?;
     let (step, hash) = (place.step_name(), hash_picture(picture));
-    if locked_hashes().any(|(name, right)| name == step && right == hash) {
+    if hashes_of_right_pictures().any(|(name, right)| name == step && right == hash) {
         let only_moves_hit =
             |(place, _): &(Place, _)| place.notes.contains(&PlaceNote::OnlyMovesHit);
         return Some(match lines.iter().all(only_moves_hit) {
@@ -170,7 +170,7 @@ mod tests {
         let (fault, picture) = (edit("16 a 1"), edit("16 a 1.0"));
         assert_eq!(
             fault.text,
-            r#"{"line":"a","from":0,"to":1,"mistake":"Write 1.0: Rust doesn't mix whole numbers with others."}"#
+            r#"{"line":"a","from":0,"to":1,"fault":"Write 1.0: Rust doesn't mix whole numbers with others."}"#
         );
         assert!(fault.pixels.is_empty() && picture.text.starts_with(r#"{"size":[16,9],"#));
         assert_eq!(picture.pixels.len(), 16 * 9 * 4);

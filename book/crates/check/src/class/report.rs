@@ -182,7 +182,7 @@ fn picture_rows(student: &StudentReport) -> Vec<PictureRow> {
 }
 
 fn rows_of_picture(picture: &PictureReport) -> Vec<PictureRow> {
-    let point = picture.counts.then(|| picture.has_point().into());
+    let point = picture.counts.then(|| picture.earns_point().into());
     let name = picture.picture.to_owned();
     if picture.files.is_empty() {
         return vec![PictureRow {
@@ -209,7 +209,7 @@ fn pictures_json(student: &StudentReport) -> String {
     let pictures = student.pictures.iter().map(|picture| {
         let mut fields = vec![("picture", json::quote(picture.picture))];
         if picture.counts {
-            fields.push(("point", u8::from(picture.has_point()).to_string()));
+            fields.push(("point", u8::from(picture.earns_point()).to_string()));
         }
         fields.push(("files", json::list(picture.files.iter().map(file_json))));
         format!("\n    {}", json::object(fields))
@@ -271,21 +271,21 @@ impl CsvRow {
     fn to_line(&self) -> String {
         let number = |number: Option<usize>| number.map(|one| one.to_string()).unwrap_or_default();
         let cells = [
-            text_cell(&self.student),
+            csv_text_cell(&self.student),
             number(self.points),
             number(self.most_points),
-            text_cell(&self.picture),
+            csv_text_cell(&self.picture),
             number(self.point.map(usize::from)),
-            text_cell(&self.verdict),
-            text_cell(&self.feedback),
-            text_cell(&self.file),
+            csv_text_cell(&self.verdict),
+            csv_text_cell(&self.feedback),
+            csv_text_cell(&self.file),
         ];
         cells.join(",") + "\n"
     }
 }
 
 /// A cell with text in quotes. If a spreadsheet could take the text for a formula, a `'` comes first.
-fn text_cell(text: &str) -> String {
+fn csv_text_cell(text: &str) -> String {
     let is_invisible = |c: char| {
         c.is_whitespace() || c.is_control() || matches!(c, '\u{200b}'..='\u{200f}' | '\u{feff}')
     };
@@ -303,11 +303,11 @@ mod tests {
     #[test]
     fn cells_that_may_be_formulas_are_marked() {
         for text in ["=1", "+1", "-1", "@A", "\t=1", "\r\n=1", "\ttext", " =1", "＝1", "＠A"] {
-            assert_eq!(text_cell(text), format!("\"'{text}\""), "{text:?}");
+            assert_eq!(csv_text_cell(text), format!("\"'{text}\""), "{text:?}");
         }
         for text in ["", "a=1", "−1", "1", "(+1)"] {
-            assert_eq!(text_cell(text), format!("\"{text}\""), "{text:?}");
+            assert_eq!(csv_text_cell(text), format!("\"{text}\""), "{text:?}");
         }
-        assert_eq!(text_cell("say \"hi\""), "\"say \"\"hi\"\"\"");
+        assert_eq!(csv_text_cell("say \"hi\""), "\"say \"\"hi\"\"\"");
     }
 }

@@ -29,7 +29,7 @@ const CONTENT: Content = Content::Drawing {
 pub fn figure() -> Figure {
     let handle = |words, depth: ParameterId| {
         let locate = move |values: &ParameterValues| position(sides()[1].at(values[depth]));
-        Handle::of_one(words, depth, locate, |_, position| VIEW.to_world(position).x)
+        Handle::of_parameter(words, depth, locate, |_, position| VIEW.to_world(position).x)
     };
     Figure {
         parameters: vec![

@@ -42,9 +42,9 @@ pub fn figure() -> Figure {
     Figure {
         parameters: start.into_iter().chain(v).chain([distance]).collect(),
         handles: vec![
-            Handle::of_point(START, VIEW),
+            Handle::of_point_in_drawing(START, VIEW),
             Handle::new(V.0, [V.x(), V.y()], |values| Some(tip(values)), v_at),
-            Handle::of_one(distance_words, DISTANCE, point, distance_at),
+            Handle::of_parameter(distance_words, DISTANCE, point, distance_at),
         ],
         is_allowed: |values| {
             let is_long = ray_and_t(values).0.direction.length() >= 1.0;

@@ -30,7 +30,7 @@ pub fn figure() -> Figure {
                 .with_unit("°"),
             Parameter::switch(DIVIDES_BY_RAYS, "divide the width by hRes, not by hRes − 1", false),
         ],
-        handles: vec![Handle::of_one(
+        handles: vec![Handle::of_parameter(
             "the tip of V0, which opens the field of view",
             FIELD_OF_VIEW,
             |values| view(&row(values)).to_drawing(row(values).direction(0.0)),
