@@ -1,4 +1,4 @@
-//! Copies the five steps as modules in which each place asks for the reader's expression.
+//! Copies the five steps into modules in which each place first asks for the reader's expression.
 
 #[path = "../course/src/crate_as_module.rs"]
 mod crate_as_module;
@@ -15,7 +15,7 @@ use std::{collections::BTreeMap, env, path::Path};
 
 const STEPS: &str = "../../../steps";
 
-/// Stands in the copy for the file of step 1 that shares the rows among threads.
+/// In the copy, this replaces the file of step 1 that shares the rows among threads.
 const DRAW_PIXELS: &str = "pub use crate::expressions::draw_pixels;\n";
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -42,8 +42,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(write(Path::new(&out).join("steps.rs"), modules)?)
 }
 
-/// The texts of the steps' files by their paths, such as `step01_rays/src/ray.rs`. They are in
-/// order, so that the copy is the same on every machine.
+/// Reads the steps' source files, by paths such as `step01_rays/src/ray.rs`. They are sorted, so
+/// that the copy is the same on every machine.
 fn source_files() -> Result<BTreeMap<String, String>, Box<dyn Error>> {
     let mut files = BTreeMap::new();
     for step in read_dir(STEPS)? {
@@ -56,23 +56,23 @@ fn source_files() -> Result<BTreeMap<String, String>, Box<dyn Error>> {
     Ok(files)
 }
 
-/// The text of a file of the steps, in which each place first asks for the value of the reader's
-/// line, and `debug_assert!` ends the picture rather than the module.
+/// Rewrites a file of the steps so that each place first asks for the value of the reader's line,
+/// and a failed `debug_assert!` ends the picture instead of the whole module.
 ///
-/// The steps have no room for that question, and they aren't given any, because the book shows
-/// every line of them. So they are compiled a second time, from a text in which a few words are
-/// replaced. That needs no parser. A place is a whole expression whose code occurs once in its
-/// file, so whatever replaces it is an expression in the same position. `debug_assert!` is followed
-/// by a condition and a sentence, like the function that replaces it. If a step is written
-/// differently one day, the copy either doesn't compile or draws another picture, and the tests
-/// compare the picture of every place with the locked one. They also name a place whose code isn't
-/// found. Here it is left out, since a build that failed would keep the test of the changed picture
-/// from running.
+/// The steps have no hook for that question and don't get one, because the book shows every line of
+/// them. So they are compiled a second time, from a text in which a few words are replaced. That
+/// takes no parser. A place is a whole expression whose code occurs exactly once in its file, so
+/// its replacement is an expression in the same position. The function that replaces
+/// `debug_assert!` takes the same arguments: a condition and a sentence. If a step is ever written
+/// differently, the copy either fails to compile or draws a different picture, and tests compare
+/// the picture of every place with the locked one. They also report any place whose code isn't
+/// found. Here such a place is skipped, because a failing build would keep the test of the changed
+/// picture from running.
 fn with_editable_places(text: &str, file: &str, places: &[Place]) -> String {
     let places = places.iter().filter(|place| place.file == file);
     let found = places.filter_map(|place| Some((place.find_range(text).ok()?, place)));
     let mut edits: Vec<_> = found.collect();
-    // From the end of the file to its start, because an edit moves what comes after it.
+    // Last edit first, because an edit shifts the text after it.
     edits.sort_by_key(|(range, _)| Reverse(range.start));
     let mut copy = text.to_owned();
     for (range, Place { index, variables, .. }) in edits {

@@ -1,32 +1,33 @@
-//! The cameras of the course, and the rays of its pictures.
+//! The course's cameras, and the rays of its pictures.
 
 use step01_rays::{AspectRatio, Camera, Ray};
 
-/// The camera of the course's pictures: 640 columns, 16:9, 60 degrees.
+/// The camera that the course's pictures are taken with: 640 columns, 16:9, 60 degrees.
 pub fn camera() -> Camera {
     camera_with_size(640, 360)
 }
 
-/// The rays of that camera, one through each pixel, row by row.
+/// The rays of [`camera()`], one through each pixel, row by row.
 pub fn primary_rays() -> impl Iterator<Item = Ray> {
     let camera = camera();
     let pixels = (0..360).flat_map(|j| (0..640).map(move |i| (i, j)));
     pixels.map(move |(i, j)| camera.ray(i.into(), j.into()))
 }
 
-/// The camera of the course with this number of columns and rows. Its angle is converted to radians
-/// in the same way as in the programs. π/3 would be a different number in its last digit.
+/// The course's camera with this many columns and rows. The field of view is converted to radians
+/// exactly as the programs convert it: π/3 differs in the last digit.
 pub fn camera_with_size(columns: u32, rows: u32) -> Camera {
     Camera::new(columns, rows, 60_f64.to_radians())
 }
 
-/// The camera with this field of view, in degrees, and this many columns, 16:9.
+/// A 16:9 camera with this field of view, in degrees, and this many columns.
 pub fn camera_with_fov(fov_degrees: f64, columns: u32) -> Camera {
     let aspect_ratio = AspectRatio { width: 16.0, height: 9.0 };
     Camera::new(columns, aspect_ratio.v_res(columns), fov_degrees.to_radians())
 }
 
-/// A camera with the matrix of the slide "A Basic 3D Camera Matrix", exactly as it is written there.
+/// The course's camera with the matrix from the slide "A Basic 3D Camera Matrix", exactly as
+/// written there.
 pub fn slide_camera() -> Camera {
     let mut camera = camera();
     let tan = -camera.matrix.z_axis.x;

@@ -1,11 +1,11 @@
-//! The source of a crate, turned into that of a module.
+//! Turns the source of a crate into the source of a module.
 
-/// Turns the text of a crate's file into a file of a module of another crate. The module's path is
-/// `path`, such as `steps::step03_nearest`. Crates whose names begin with one of `siblings` are
-/// modules beside it; all others are still crates.
+/// Rewrites a source file of a crate so that it works as part of the module at `path`, such as
+/// `steps::step03_nearest`, in another crate. Crates whose names start with one of `siblings`
+/// become sibling modules; all others remain crates.
 ///
-/// It replaces `crate::`, and `use` before a sibling, which are the only ways in which the steps
-/// name themselves and each other.
+/// Only `crate::` and `use` followed by a sibling's name are replaced, since the steps refer to
+/// themselves and to each other in no other way.
 pub fn crate_as_module<'a>(
     text: &str,
     path: &str,

@@ -1,8 +1,8 @@
-//! Pictures compared, in words.
+//! Describes the difference between two pictures in words.
 
 use image::{Rgb, RgbImage};
 
-/// Describes how a new picture differs from the locked one, in a sentence. Returns None if all
+/// Describes in one sentence how a new picture differs from the locked one. Returns None if all
 /// pixels are equal.
 pub fn describe_difference(locked: &RgbImage, new: &RgbImage) -> Option<String> {
     let ((w, h), (new_w, new_h)) = (locked.dimensions(), new.dimensions());
@@ -24,7 +24,7 @@ pub fn describe_difference(locked: &RgbImage, new: &RgbImage) -> Option<String> 
     ))
 }
 
-/// The difference of two colours in the channel where it is largest.
+/// The largest difference between two colours in any one channel.
 #[inline]
 pub fn largest_channel_difference(a: &Rgb<u8>, b: &Rgb<u8>) -> u8 {
     a.0.iter().zip(b.0).map(|(a, b)| a.abs_diff(b)).max().unwrap_or(0)

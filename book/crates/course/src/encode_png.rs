@@ -1,9 +1,10 @@
-//! Pictures as PNG files.
+//! Encodes pictures as PNG.
 
 use image::RgbImage;
 use image::codecs::png::{CompressionType, FilterType, PngEncoder};
 
-/// Encodes a picture as a PNG file. The best compression would take twice as long, and save 2 %.
+/// Encodes a picture as a PNG file with default compression. The best compression would take twice
+/// as long to save 2 %.
 pub fn encode_png(picture: &RgbImage) -> Vec<u8> {
     let mut png = vec![];
     let (compression, filter) = (CompressionType::Default, FilterType::Adaptive);

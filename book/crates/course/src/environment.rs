@@ -1,9 +1,9 @@
-//! The environment variables that switch tests. Rust reads them here and nowhere else, and
+//! The environment variables that control the tests. Rust code reads them only here, and
 //! CONTRIBUTING lists them.
 
 use std::env;
 
-/// Whether this is a machine of CI, by the rule that insta has.
+/// Whether we are running on CI, decided as insta decides it.
 pub fn is_ci() -> bool {
     match env::var("CI").as_deref() {
         Ok("" | "0" | "false") => false,
@@ -12,35 +12,35 @@ pub fn is_ci() -> bool {
     }
 }
 
-/// Whether tests try all their cases, and not only some: `THOROUGH=1`.
+/// Whether tests should try every case instead of a sample: `THOROUGH=1`.
 pub fn is_thorough() -> bool {
     env::var_os("THOROUGH").is_some_and(|value| !value.is_empty())
 }
 
-/// What identifies this run of `cargo nextest`, which gives each test a process of its own. None
-/// if another program runs the tests.
+/// An identifier of this run of `cargo nextest`, which runs each test in its own process. None if
+/// the tests run under something else.
 pub fn nextest_run_id() -> Option<String> {
     env::var("NEXTEST_RUN_ID").ok()
 }
 
-/// What insta does with a snapshot that differs.
+/// What insta does with a snapshot that no longer matches.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SnapshotUpdate {
-    /// Replaces the snapshot.
+    /// Overwrites the snapshot.
     InPlace,
-    /// Writes the new one beside it, for review.
+    /// Writes the new snapshot beside the old one, for review.
     NewFile,
     /// Writes nothing.
     No,
 }
 
-/// What `INSTA_UPDATE` asks for.
+/// The behaviour that `INSTA_UPDATE` asks for.
 pub fn snapshot_update() -> SnapshotUpdate {
     parse_snapshot_update(env::var("INSTA_UPDATE").as_deref().unwrap_or_default(), is_ci())
 }
 
-/// The meaning that insta gives to a value of `INSTA_UPDATE`, for a snapshot that exists. It
-/// refuses other values by itself.
+/// Interprets a value of `INSTA_UPDATE` as insta does for a snapshot that already exists. Invalid
+/// values need no handling, because insta itself rejects them.
 fn parse_snapshot_update(value: &str, is_ci: bool) -> SnapshotUpdate {
     match value {
         "always" | "1" | "force" => SnapshotUpdate::InPlace,

@@ -1,5 +1,5 @@
-//! The steps' pictures and their examples as a library: the programs that the chapters run on the
-//! way, and the solutions of the exercises.
+//! The steps' pictures and examples as a library. The examples are the programs that the chapters
+//! run along the way, and the solutions to the exercises.
 
 #![allow(dead_code, reason = "the main of an example only runs in its program")]
 #![allow(clippy::duplicate_mod, reason = "`crowd` also declares the module `mirror`")]
@@ -9,15 +9,15 @@ use crate::Step;
 use image::RgbImage;
 use step01_rays::Camera;
 
-/// A function that draws a picture for a camera. Each pixel is split into this number of sub-pixels
-/// in each direction.
+/// A function that draws a picture with a camera. The number says how many sub-pixels each pixel is
+/// split into in each direction.
 pub type DrawPicture = fn(&Camera, u32) -> RgbImage;
 
-/// Declares the examples as modules. rustfmt finds no module in a macro, so it leaves their files
-/// alone.
+/// Declares each example as a module. rustfmt can't see modules that a macro declares, so it leaves
+/// their files alone.
 ///
-/// The names of the pictures are needed where tests are declared, too, and only a macro can declare
-/// something for each of them: hence `with_picture_names`.
+/// Tests need the pictures' names as well, to declare a test for each, and only a macro can do
+/// that: hence `with_picture_names`.
 macro_rules! examples {
     ($dollar:tt
         pictures { $($name:ident: $path:literal => $draw:expr,)* }
@@ -26,8 +26,8 @@ macro_rules! examples {
         $(#[path = $path] pub mod $name;)*
         $(#[path = $other_path] pub mod $other;)*
 
-        /// The pictures of the five steps, then those of the examples, step by step, each by its
-        /// name.
+        /// Every picture by name: first the five steps, then the examples in the order of their
+        /// steps.
         pub const PICTURES: &[(&str, DrawPicture)] = &[
             ("step01_rays", step01_rays::picture),
             ("step02_sphere", step02_sphere::picture),
@@ -49,7 +49,8 @@ macro_rules! examples {
     };
 }
 
-// The names of the examples and their paths, and what draws the locked picture of the name.
+// The examples and their paths. For a picture, there is also the function that draws its locked
+// version.
 examples! {
     $
     pictures {
@@ -90,13 +91,13 @@ examples! {
     }
 }
 
-/// The function that draws the picture of a step or an example with this name.
+/// Finds the function that draws the picture of the step or example with this name.
 pub fn find_picture(name: &str) -> Option<DrawPicture> {
     PICTURES.iter().find(|(known, _)| *known == name).map(|(_, draw)| *draw)
 }
 
 impl Step {
-    /// The function that draws the picture of the step.
+    /// The function that draws this step's picture.
     pub fn picture(self) -> DrawPicture {
         PICTURES[self as usize].1
     }

@@ -1,6 +1,6 @@
-//! A hash function.
+//! The FNV-1a hash function.
 
-/// The 64-bit FNV-1a hash of some bytes.
+/// Computes the 64-bit FNV-1a hash of `bytes`.
 pub fn fnv_1a(bytes: impl Iterator<Item = u8>) -> u64 {
     bytes.fold(0xcbf2_9ce4_8422_2325, |hash, byte| {
         (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
@@ -13,7 +13,7 @@ mod tests {
 
     #[test]
     fn hash_is_that_of_its_authors_tests() {
-        // From the list at http://www.isthe.com/chongo/tech/comp/fnv/.
+        // From the test vectors at http://www.isthe.com/chongo/tech/comp/fnv/.
         assert_eq!(fnv_1a("".bytes()), 0xcbf2_9ce4_8422_2325);
         assert_eq!(fnv_1a("foobar".bytes()), 0x8594_4171_f739_67e8);
     }

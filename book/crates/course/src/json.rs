@@ -1,9 +1,9 @@
-//! Writes JSON. It is all that a reply to a page needs. A library for all of JSON would make the
-//! modules of the pages a sixth larger.
+//! A minimal JSON writer, which is all that replies to a page need. A full JSON library would make
+//! the pages' modules a sixth larger.
 
 use crate::is_obeyed_by_terminals;
 
-/// A JSON string, in which characters that a terminal would obey are escaped.
+/// Quotes `text` as a JSON string, escaping every character that a terminal would act on.
 pub fn quote(text: &str) -> String {
     let mut quoted = String::from("\"");
     for c in text.chars() {
@@ -16,13 +16,13 @@ pub fn quote(text: &str) -> String {
     quoted + "\""
 }
 
-/// A JSON array of numbers, or of items that are already JSON.
+/// Writes a JSON array. The items are numbers, or already JSON.
 pub fn list(items: impl IntoIterator<Item = impl ToString>) -> String {
     let items: Vec<_> = items.into_iter().map(|item| item.to_string()).collect();
     format!("[{}]", items.join(","))
 }
 
-/// A JSON object. The values of its fields are already JSON.
+/// Writes a JSON object. The values of the fields are already JSON.
 pub fn object<'a>(fields: impl IntoIterator<Item = (&'a str, String)>) -> String {
     let fields = fields.into_iter();
     let fields = fields.map(|(name, value)| format!("{}:{value}", quote(name)));

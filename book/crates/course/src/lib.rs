@@ -1,17 +1,17 @@
-//! What the crates of the book share.
+//! Code and data shared by the book's crates.
 //!
-//! - The five *steps* as a list; the *camera* of their pictures; the *examples* of the steps as a
-//!   library, and a list of the pictures that they draw.
-//! - The list of *mistakes* that readers make, each a diff, and the *table* of hashes of the
-//!   pictures that they give, with the small ones that the book shows; the *places* of the
-//!   listings that a reader may edit.
-//! - A *scene* as a program, and the scene that belongs to a *name*.
-//! - The *locked* pictures; the *difference* of two pictures, in a sentence and side by side; a
-//!   picture as a PNG file.
-//! - The source of a crate, turned into that of a *module*.
-//! - Files that are *replaced* as a whole.
-//! - The folders of the *workspace*, its modules, a command of Cargo, the *environment* variables
-//!   that switch tests, and JSON.
+//! - The five *steps*, the *camera* that takes their pictures, their *examples* as a library, and a
+//!   list of all the pictures that these draw.
+//! - The *mistakes* that readers make, each as a diff, with a *table* of hashes of the resulting
+//!   pictures and the small pictures shown in the book.
+//! - The *places* in the listings that a reader may edit.
+//! - A *scene* as a program, and the scene generated from a *name*.
+//! - The *locked* pictures, the *difference* between two pictures, in a sentence or side by side,
+//!   and a PNG encoder.
+//! - The source of a crate, turned into the source of a *module*.
+//! - Files that are *replaced* atomically.
+//! - The folders of the *workspace*, the pages' modules, a command that runs Cargo, the
+//!   *environment* variables that control the tests, and JSON.
 
 mod camera;
 mod step;

@@ -1,4 +1,4 @@
-//! The locked pictures, which are snapshots of insta.
+//! The locked pictures, which are insta snapshots.
 
 use crate::workspace;
 use image::{ImageError, RgbImage};
@@ -6,26 +6,27 @@ use std::fs;
 use std::path::PathBuf;
 use thiserror::Error;
 
-/// Why a locked picture can't be read.
+/// The error if a locked picture can't be read.
 #[derive(Debug, Error)]
 #[error("{}: {source}", .path.display())]
 pub struct LockedPictureError {
-    /// The file of the picture.
+    /// The picture's file.
     pub path: PathBuf,
     /// What went wrong.
     pub source: ImageError,
 }
 
-/// The file of the locked picture `name`.
+/// The path of the locked picture called `name`.
 pub fn locked_picture_path(name: &str) -> PathBuf {
     workspace().join(format!("tests/snapshots/{name}.snap.png"))
 }
 
-/// Reads the locked picture `name`.
+/// Reads the locked picture called `name`.
 pub fn read_locked_picture(name: &str) -> Result<RgbImage, LockedPictureError> {
     let path = locked_picture_path(name);
     let file = fs::read(&path).map_err(ImageError::from);
-    // `image::open` is generic over the reader, so it would compile image's decoder once more.
+    // `image::open` decodes from another type of reader, so it would compile image's decoders
+    // twice.
     let picture = file.and_then(|file| image::load_from_memory(&file));
     match picture {
         Ok(picture) => Ok(picture.into_rgb8()),

@@ -1,25 +1,25 @@
-//! The scene that belongs to a name.
+//! Generates a scene from a person's name.
 
 use crate::hash::fnv_1a;
 use glam::DVec3;
 use step05_phong::{Light, Material, Matte, OBJECTS, Scene, scene};
 
-/// The names of the objects, in the order of `OBJECTS`. They say no colour, as colours are chosen.
+/// The objects' names, in the order of `OBJECTS`. They don't mention colours, because those vary.
 const NAMES: [&str; OBJECTS.len()] =
     ["ball 1", "ground", "ball 2", "ball 3", "ball 4", "ball 5", "ball 6", "ball 7", "ball 8"];
 
-/// The course's scene or its mirror image, with different sizes, colours, highlights and lights,
-/// all of which are chosen by a hash of the name.
+/// Generates the scene that belongs to `name`. It is the course's scene or its mirror image, with
+/// sizes, colours, highlights and lights chosen by a hash of the name.
 ///
-/// Each sphere lies inside that of the course and on the same ground, so no two of them touch.
-/// Blanks around the name make no difference, nor does their number between its words. Letters
-/// are expected in Unicode's composed form, NFC.
+/// Each sphere lies inside the course's sphere and rests on the same ground, so no two spheres
+/// touch. Whitespace around the name is ignored, and any amount of it between two words counts as
+/// one blank. Letters should be in Unicode's composed form, NFC.
 pub fn named_scene(name: &str) -> Scene<Material, Light> {
     let name = name.split_whitespace().collect::<Vec<_>>().join(" ");
     let mut choices = 0;
     let mut choose = |count: usize| {
         choices += 1;
-        // Four more rounds spread the last letter over all bits.
+        // The four zeros are four more rounds, which spread the last letter across all bits.
         let bytes = [choices].into_iter().chain(name.bytes()).chain([0; 4]);
         (fnv_1a(bytes) >> 32) as usize % count
     };
@@ -45,7 +45,7 @@ pub fn named_scene(name: &str) -> Scene<Material, Light> {
     for light in &mut scene.lights {
         light.point_light.position *= side;
     }
-    // The first light is in front of the balls. The second is behind them, as in the course.
+    // The first light is in front of the balls. The second stays behind them, as in the course.
     let positions = [[4.0, 5.0, -2.0], [3.0, 6.0, -3.0], [5.0, 4.0, -1.0], [2.0, 5.0, -4.0]];
     scene.lights[0].point_light.position = side * DVec3::from_array(positions[choose(4)]);
     let tints = [[1.0, 0.84, 0.64], [0.8, 0.9, 1.0], [1.0, 0.7, 0.8], [0.8, 1.0, 0.75]];
@@ -81,7 +81,7 @@ mod tests {
         for name in ["Ada", "Grace", "Alan", "Edsger"] {
             for (object, course) in named_scene(name).objects.iter().zip(OBJECTS) {
                 let Sphere { mut centre, radius } = object.sphere;
-                // A scene may be the mirror image.
+                // The scene may be mirrored.
                 centre.x = centre.x.abs() * course.sphere.centre.x.signum();
                 let distance = centre.distance(course.sphere.centre);
                 assert!(

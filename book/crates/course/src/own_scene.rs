@@ -1,4 +1,4 @@
-//! A scene that a reader composes on a page.
+//! A scene that a reader puts together on a page.
 
 use crate::camera_with_fov;
 use crate::examples::look_at::look_at;
@@ -8,7 +8,7 @@ use image::RgbImage;
 use std::iter::zip;
 use step05_phong::{Camera, Light, Material, Scene, colour, render};
 
-/// A scene of the reader's with its camera: all that a picture is made from, except its size.
+/// A reader's scene and camera: everything that determines the picture, except its size.
 pub struct OwnScene {
     /// The camera's field of view, in degrees.
     pub fov_degrees: f64,
@@ -18,16 +18,16 @@ pub struct OwnScene {
     pub target: DVec3,
     /// The camera's roll, in degrees.
     pub roll_degrees: f64,
-    /// The objects and the light.
+    /// The objects and lights.
     pub scene: Scene<Material, Light>,
-    /// Whether rays go on from the surfaces, for shadows and mirrors.
+    /// Whether rays are also traced from the surfaces, which gives shadows and reflections.
     pub has_mirrors: bool,
-    /// k of each object, the part of its colour that it mirrors.
+    /// The `k` of each object: the fraction of its colour that is a reflection.
     pub mirror_parts: Vec<f64>,
 }
 
 impl OwnScene {
-    /// The scene as the camera of the five steps sees it, without shadows and mirrors.
+    /// The scene as seen by the camera of the five steps, without shadows or mirrors.
     pub fn new(scene: Scene<Material, Light>) -> Self {
         Self {
             fov_degrees: 60.0,
@@ -40,14 +40,14 @@ impl OwnScene {
         }
     }
 
-    /// The camera of a picture with this many columns.
+    /// The camera for a picture with this many columns.
     pub fn camera(&self, columns: u32) -> Camera {
         let camera = camera_with_fov(self.fov_degrees, columns);
         look_at(&camera, self.position, self.target, self.roll_degrees.to_radians())
     }
 
-    /// The picture with this many columns: by step 5, or by the example `mirror`, in which a
-    /// ray may meet ten mirrors.
+    /// Draws the picture with this many columns. It is drawn by step 5, or by the example `mirror`
+    /// if the scene has mirrors; there, a ray is reflected at most ten times.
     pub fn picture(&self, columns: u32) -> RgbImage {
         let camera = self.camera(columns);
         if !self.has_mirrors {

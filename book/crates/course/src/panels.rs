@@ -1,4 +1,4 @@
-//! Pictures compared, side by side.
+//! Draws a side-by-side comparison of two pictures.
 
 use crate::largest_channel_difference;
 use image::{Rgb, RgbImage};
@@ -9,9 +9,9 @@ const BLACK: Rgb<u8> = Rgb([0; 3]);
 
 /// Draws two pictures and their difference, side by side.
 ///
-/// In the third panel, pixels that are equal are dark grey. A pixel that differs is orange if the
-/// first picture is brighter there, or else blue. The larger the difference, the brighter it is. If
-/// one picture is smaller, it is black where it has no pixel.
+/// In the third panel, equal pixels are dark grey. A pixel that differs is blue if the first
+/// picture is darker there, and orange otherwise; the larger the difference, the brighter the
+/// colour. If one picture is smaller than the other, it is padded with black.
 pub fn draw_panels(first: &RgbImage, second: &RgbImage) -> RgbImage {
     let width = first.width().max(second.width());
     let height = first.height().max(second.height());
@@ -26,7 +26,7 @@ pub fn draw_panels(first: &RgbImage, second: &RgbImage) -> RgbImage {
     })
 }
 
-/// The colour that shows how two colours differ.
+/// The colour in the third panel for a pixel that has these colours in the two pictures.
 fn difference_colour(a: &Rgb<u8>, b: &Rgb<u8>) -> Rgb<u8> {
     let sum = |colour: &Rgb<u8>| colour.0.iter().map(|c| u32::from(*c)).sum::<u32>();
     let strength = 120 + u32::from(largest_channel_difference(a, b)) * 135 / 255;

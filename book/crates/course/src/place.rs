@@ -1,39 +1,39 @@
-//! The expressions of the steps that a reader may edit on a page, as `places.txt` lists them.
+//! The expressions in the steps that a reader may edit on a page, as listed in `places.txt`.
 //!
-//! A line `@ FILE uses DVec3` names the file of the places below it, and says whether vectors are
-//! imported there. A place begins with a line such as `a: f64 = v.dot(v)`: its name, the type of
-//! its value and its code. The indented lines below it say what an expression may use there, a
-//! type and the names that have it, and with `note:` what the code around it asks for. A line
-//! that begins with `#` is a comment.
+//! A line `@ FILE uses DVec3` names the file that contains the places below it, and says whether
+//! vectors are imported there. A place starts with a line such as `a: f64 = v.dot(v)`: its name,
+//! the type of its value, and the book's code. Each indented line below it lists the names of one
+//! type that an expression may use there, or is a `note:` on what the surrounding code does with
+//! the value. Lines that start with `#` are comments.
 //!
-//! The build script of the package `page` compiles this file, too, so it uses nothing but std.
+//! The build script of the package `page` compiles this file as well, so it depends on std alone.
 
 use std::error::Error;
 use std::fmt::{self, Display, Formatter};
 use std::ops::Range;
 
-/// An expression in the steps that a reader may edit: a block of places.txt.
+/// An expression in the steps that a reader may edit: one block of places.txt.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Place {
-    /// Its position in places.txt, counted from 0.
+    /// Its index in places.txt.
     pub index: usize,
-    /// Its name in the address of an edit.
+    /// Its name in edit requests.
     pub name: &'static str,
-    /// The path of its file, relative to the folder of the steps.
+    /// The path of its file, relative to the folder `steps`.
     pub file: &'static str,
     /// Whether the file imports `glam::DVec3`.
     pub has_vectors: bool,
-    /// The code of the book there, in one row.
+    /// The book's code for it, on one line.
     pub code: &'static str,
     /// The type of its value.
     pub value_type: ValueType,
-    /// The names that an expression may use there, and their types.
+    /// The names that an expression may use here, with their types.
     pub variables: Vec<(&'static str, ValueType)>,
-    /// What the code around it asks for.
+    /// What the surrounding code does with the value.
     pub notes: Vec<PlaceNote>,
 }
 
-/// A type of Rust that an edited expression, or a part of one, can have.
+/// A Rust type that an edited expression, or a part of one, can have.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ValueType {
     /// `f64`.
@@ -52,7 +52,7 @@ impl ValueType {
     /// All types.
     pub const ALL: [Self; 5] = [Self::F64, Self::Vector, Self::I32, Self::Bool, Self::Array];
 
-    /// The name of the type in Rust.
+    /// The type's name in Rust.
     pub fn name(self) -> &'static str {
         match self {
             Self::F64 => "f64",
@@ -63,28 +63,28 @@ impl ValueType {
         }
     }
 
-    /// The type with this name in Rust.
+    /// Finds a type by its name in Rust.
     pub fn from_name(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|value_type| value_type.name() == name)
     }
 }
 
-/// What the code around a place asks of an expression, or makes of its value.
+/// What the code around a place does with its value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PlaceNote {
-    /// A method is called on the value, so `1.0` needs a suffix there: Rust doesn't look ahead to
-    /// find out which type of number it is.
+    /// A method is called on the value, so a literal such as `1.0` needs a suffix: Rust must know
+    /// which type of number it is before it can look up the method.
     MethodFollows,
-    /// It is the right operand of `&&`, which binds more tightly than `||`.
+    /// The value is the right operand of `&&`, which binds more tightly than `||`.
     AfterAnd,
-    /// The step's picture shows whether a ray meets the ball, but not at which t.
+    /// The step's picture shows whether a ray hits the ball, but not at which `t`.
     OnlyMovesHit,
 }
 
 impl PlaceNote {
     const ALL: [Self; 3] = [Self::MethodFollows, Self::AfterAnd, Self::OnlyMovesHit];
 
-    /// The words for it in places.txt.
+    /// The text of the note in places.txt.
     fn words(self) -> &'static str {
         match self {
             Self::MethodFollows => "a method is called on the value",
@@ -94,12 +94,12 @@ impl PlaceNote {
     }
 }
 
-/// All places, in the order of places.txt.
+/// Returns all places, in the order of places.txt.
 ///
 /// # Panics
 ///
-/// Panics if places.txt has a line that can't be read. It is a part of the program, and the build
-/// of `page` would have failed.
+/// Panics if a line in places.txt is malformed. That can't happen at run time: the file is compiled
+/// in, and the build of `page` would have failed.
 pub fn all_listed_places() -> Vec<Place> {
     match parse_places(include_str!("../places.txt")) {
         Ok(places) => places,
@@ -107,7 +107,7 @@ pub fn all_listed_places() -> Vec<Place> {
     }
 }
 
-/// Parses a list of places.
+/// Parses a list in the format of places.txt.
 fn parse_places(text: &'static str) -> Result<Vec<Place>, PlaceListError> {
     let mut file = None;
     let mut places = Vec::<Place>::new();
@@ -129,7 +129,8 @@ fn parse_places(text: &'static str) -> Result<Vec<Place>, PlaceListError> {
     Ok(places)
 }
 
-/// The place of a line such as `a: f64 = v.dot(v)`, below `@` and `file`.
+/// Parses the first line of a place, such as `a: f64 = v.dot(v)`. `file` is the text after the `@`
+/// above it.
 fn parse_place(
     index: usize,
     file: &'static str,
@@ -155,12 +156,12 @@ fn parse_type(name: &'static str) -> Result<ValueType, PlaceListFault> {
 }
 
 impl Place {
-    /// The name of its step.
+    /// The name of the step that the place is in.
     pub fn step_name(&self) -> &'static str {
         self.file.split('/').next().unwrap_or_default()
     }
 
-    /// Finds its code in a text, in which the code may be broken into rows.
+    /// Finds the place's code in `text`, where it may be broken across lines.
     pub fn find_range(&self, text: &str) -> Result<Range<usize>, OccurrenceError> {
         let Self { name, file, code, .. } = *self;
         let first = code.split(' ').next().unwrap_or_default();
@@ -178,7 +179,7 @@ impl Place {
         }
     }
 
-    /// Adds what an indented line below it says.
+    /// Adds the names or the note from an indented line below the place.
     fn add_line(&mut self, line: &'static str) -> Result<(), PlaceListFault> {
         if let Some(words) = line.strip_prefix("note: ") {
             let note = PlaceNote::ALL.into_iter().find(|note| note.words() == words);
@@ -192,7 +193,7 @@ impl Place {
     }
 }
 
-/// The code of a place isn't in a file exactly once.
+/// The error if the code of a place doesn't occur exactly once in its file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct OccurrenceError {
     name: &'static str,
@@ -210,7 +211,7 @@ impl Display for OccurrenceError {
 
 impl Error for OccurrenceError {}
 
-/// A line of places.txt that can't be read.
+/// The error if a line in places.txt is malformed.
 #[derive(Clone, Debug, PartialEq, Eq)]
 struct PlaceListError {
     line: usize,

@@ -1,5 +1,5 @@
-//! A scene as a Rust program, which the reader saves as an example of step 5: the one that
-//! Cargo compiles there, with different bodies of its functions.
+//! Formats a scene as a Rust program, which the reader saves as an example of step 5. It is the
+//! step's own example `own_scene` with some of its function bodies replaced.
 
 use crate::OwnScene;
 use glam::DVec3;
@@ -7,13 +7,13 @@ use std::iter::zip;
 use std::ops::Range;
 use step05_phong::{Attenuation, Light, Material, Object};
 
-/// The program of step 5's scene.
+/// The program that draws step 5's own scene.
 const EXAMPLE: &str = include_str!("../../../../steps/step05_phong/examples/own_scene.rs");
 
-/// The exercise `look_at`, whose function a moved camera needs.
+/// The exercise `look_at`, whose function body a moved camera needs.
 const LOOK_AT: &str = include_str!("../../../../steps/step01_rays/examples/look_at.rs");
 
-/// The program that draws the scene.
+/// Formats the program that draws the scene.
 pub fn format_scene_program(own: &OwnScene) -> String {
     let mut program = EXAMPLE.trim_end().to_owned();
     replace_body(&mut program, "my_scene", &scene_body(own));
@@ -24,7 +24,7 @@ pub fn format_scene_program(own: &OwnScene) -> String {
     program
 }
 
-/// The lines between the braces of a function, from the first byte to the last.
+/// The range of the lines between a function's braces.
 ///
 /// # Panics
 ///
@@ -39,7 +39,7 @@ fn replace_body(program: &mut String, function: &str, body: &str) {
     program.replace_range(body_range(program, function), body);
 }
 
-/// The scene as an expression.
+/// The body of `my_scene`: the scene as an expression.
 fn scene_body(own: &OwnScene) -> String {
     let objects = indented_lines(own.scene.objects.iter().map(ball_call));
     let lights = indented_lines(own.scene.lights.iter().map(lamp_call));
@@ -53,7 +53,7 @@ fn scene_body(own: &OwnScene) -> String {
     )
 }
 
-/// The camera of the program: with a different field of view, or moved by the lines of `look_at`.
+/// The body of `my_camera`, which may set the field of view and move the camera as `look_at` does.
 fn camera_body(own: &OwnScene) -> String {
     let mut body = String::new();
     if own.fov_degrees != 60.0 {
@@ -75,7 +75,7 @@ fn camera_body(own: &OwnScene) -> String {
     )
 }
 
-/// The picture with shadows and mirrors: `mirror.rs` draws, and a ball has its k.
+/// The body of `picture` with shadows and mirrors: `mirror.rs` draws, and each ball has its `k`.
 fn mirrors_body(own: &OwnScene) -> String {
     let arms = zip(&own.scene.objects, &own.mirror_parts)
         .map(|(object, k)| format!("            {:?} => {k:?},\n", object.name));
@@ -101,7 +101,7 @@ fn mirrors_body(own: &OwnScene) -> String {
     )
 }
 
-/// Each item in a line of its own.
+/// Formats each item on its own line.
 fn indented_lines(items: impl Iterator<Item = String>) -> String {
     let lines: String = items.map(|item| format!("\n            {item},")).collect();
     if lines.is_empty() { lines } else { lines + "\n        " }
@@ -113,7 +113,7 @@ fn ball_call(Object { name, sphere, material }: &Object<Material>) -> String {
     format!("ball({name:?}, {centre}, {radius:?}, {colour}, {r_s:?}, {n})")
 }
 
-/// A call of `lamp`, with a line for each of its arguments.
+/// A call to `lamp`, with each argument on its own line.
 fn lamp_call(Light { point_light, specular }: &Light) -> String {
     let Attenuation { a, b, c } = point_light.attenuation;
     let vectors = [point_light.position, point_light.diffuse, *specular, DVec3::new(a, b, c)];

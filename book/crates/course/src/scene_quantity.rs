@@ -1,18 +1,19 @@
-//! The table of a scene's numbers: what each is called, which values it may have, and where it is
-//! in a scene. The controls and addresses of the page "A scene of your own" come from it, and the
-//! numbers that `check` tries.
+//! A table of the numbers in a scene: their names, their ranges, and where they are stored. The
+//! controls and addresses on the page "A scene of your own" are generated from it, and so are the
+//! values that `check` tries.
 
 use crate::{OwnScene, Step};
 use glam::DVec3;
 use step05_phong::Matte;
 
-/// A radius, a position, a colour: one number of a scene or three.
+/// One number in a scene or three that belong together, such as a radius, a position or a colour.
 pub struct Quantity {
-    /// The name in a sentence, before "of" and its owner.
+    /// The name in a sentence, to be followed by "of" and the owner.
     pub name: &'static str,
     /// The kind of thing that has it.
     pub owner: Owner,
-    /// What a reader of the steps types, if they have it.
+    /// The values that a reader of the steps may type for it, or None if no step's source contains
+    /// it.
     pub typed: Option<Typed>,
     /// Its number, or its three numbers.
     pub scalars: &'static [Scalar],
@@ -31,39 +32,39 @@ pub enum Owner {
     Light,
 }
 
-/// What a reader types of a quantity.
+/// The values that a reader may type for a quantity.
 #[derive(Clone, Copy, Debug)]
 pub struct Typed {
-    /// The first step that has it.
+    /// The first step whose source contains the quantity.
     pub since: Step,
-    /// The smallest and the largest number that somebody may have typed, wrong ones included.
+    /// The smallest and the largest value that someone may have typed, wrong ones included.
     pub range: [i32; 2],
-    /// How many of these numbers there are from one whole number to the next.
+    /// The number of such values per unit.
     pub steps_per_unit: i32,
 }
 
-/// A single number of a scene, such as a radius or the x of a position.
+/// A single number in a scene, such as a radius or the x of a position.
 pub struct Scalar {
-    /// The symbol, or nothing.
+    /// The symbol, or an empty string.
     pub symbol: &'static str,
-    /// The name in words. After that of its owner, it is the name in an address.
+    /// The name in words. Preceded by the owner's name, it is the name in an address.
     pub words: &'static str,
-    /// The unit, such as °, or nothing.
+    /// The unit, such as °, or an empty string.
     pub unit: &'static str,
     /// The smallest and the largest value that a page offers.
     pub range: [f64; 2],
     /// The range for the ground, the largest sphere, if it differs.
     pub ground_range: Option<[f64; 2]>,
-    /// How many values a page offers from one whole number to the next.
+    /// The number of values per unit that a page offers.
     pub steps_per_unit: f64,
-    /// Whether only a scene with shadows and mirrors shows it.
+    /// Whether the number has an effect only in a scene with shadows and mirrors.
     pub needs_mirrors: bool,
     property: Property,
-    /// The axis, or the channel, of a property that has three numbers; otherwise 0.
+    /// The axis or channel, for a property that has three numbers; otherwise 0.
     axis: usize,
 }
 
-/// What a number is of an [`OwnScene`].
+/// Which property of an [`OwnScene`] a number belongs to.
 #[derive(Clone, Copy, Debug)]
 enum Property {
     FieldOfView,
@@ -76,7 +77,7 @@ enum Property {
     /// R_s, which is the same in all channels.
     ObjectSpecular,
     Shininess,
-    /// R_d, and R_a, which is the same.
+    /// R_d, along with R_a, which always equals it.
     ObjectColour,
     MirrorPart,
     LightPosition,
@@ -86,7 +87,7 @@ enum Property {
 }
 
 impl Scalar {
-    /// Its value for the owner of index `k`.
+    /// Reads the number from the owner with index `k`.
     pub fn get(&self, own: &OwnScene, k: usize) -> f64 {
         let (scene, axis) = (&own.scene, self.axis);
         match self.property {
@@ -111,7 +112,7 @@ impl Scalar {
         }
     }
 
-    /// Gives it another value for the owner of index `k`.
+    /// Sets the number in the owner with index `k`.
     pub fn set(&self, own: &mut OwnScene, k: usize, value: f64) {
         let (scene, axis) = (&mut own.scene, self.axis);
         match self.property {
@@ -143,7 +144,7 @@ impl Scalar {
     }
 }
 
-/// All quantities of a scene, in the order of their controls; those of one owner follow each other.
+/// All quantities in a scene, grouped by owner, in the order of their controls.
 pub static QUANTITIES: &[Quantity] = &[
     Quantity {
         name: "the field of view",
@@ -265,7 +266,7 @@ pub static QUANTITIES: &[Quantity] = &[
         owner: Owner::Light,
         typed: Some(Typed { since: Step::Diffuse, range: [0, 2], steps_per_unit: 1000 }),
         scalars: &along_axes([
-            // It is above 0, so that a + bd + cd² is.
+            // The minimum is above 0, which keeps a + bd + cd² above 0.
             scalar(Property::Attenuation, "a", "constant fading", [0.1, 2.0], 100.0),
             scalar(Property::Attenuation, "b", "linear fading", [0.0, 1.0], 1000.0),
             scalar(Property::Attenuation, "c", "quadratic fading", [0.0, 1.0], 1000.0),
@@ -274,10 +275,10 @@ pub static QUANTITIES: &[Quantity] = &[
 ];
 
 const CAMERA_RANGES: [[f64; 2]; 3] = [[-12.0, 12.0], [-6.0, 12.0], [-20.0, 12.0]];
-/// The names in words of the coordinates of an object or a light.
+/// The names of an object's or a light's coordinates.
 pub const COORDINATES: [&str; 3] = ["sideways", "upwards", "towards you"];
 
-/// The names in words of the channels of a colour.
+/// The names of a colour's channels.
 pub const CHANNELS: [&str; 3] = ["red", "green", "blue"];
 
 const LIGHT_COLOUR: Typed = Typed { since: Step::Diffuse, range: [0, 5], steps_per_unit: 100 };
@@ -303,7 +304,7 @@ const fn scalar(
     }
 }
 
-/// The three coordinates of a position, in hundredths.
+/// The three coordinates of a position, in steps of a hundredth.
 const fn xyz(
     property: Property,
     [right, up, back]: [&'static str; 3],
@@ -317,7 +318,7 @@ const fn xyz(
     ])
 }
 
-/// The three channels of a colour, each from 0 to `max`, in hundredths.
+/// The three channels of a colour, each from 0 to `max` in steps of a hundredth.
 const fn rgb(property: Property, [red, green, blue]: [&'static str; 3], max: f64) -> [Scalar; 3] {
     let range = [0.0, max];
     along_axes([
@@ -327,12 +328,12 @@ const fn rgb(property: Property, [red, green, blue]: [&'static str; 3], max: f64
     ])
 }
 
-/// The three numbers of a property, one for each axis.
+/// Assigns the three numbers of a property to its three axes.
 const fn along_axes([x, y, z]: [Scalar; 3]) -> [Scalar; 3] {
     [x, Scalar { axis: 1, ..y }, Scalar { axis: 2, ..z }]
 }
 
-/// These numbers with other ranges for the ground.
+/// Gives the numbers different ranges for the ground.
 const fn on_ground<const N: usize>(mut scalars: [Scalar; N], ranges: [[f64; 2]; N]) -> [Scalar; N] {
     let mut k = 0;
     while k < N {

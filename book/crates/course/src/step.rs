@@ -1,40 +1,41 @@
-//! The five steps.
+//! The five steps of the course.
 
-/// One of the five steps, in the order of the course.
+/// A step of the course. Later steps compare greater.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Step {
-    /// step01_rays.
+    /// `step01_rays`.
     Rays,
-    /// step02_sphere.
+    /// `step02_sphere`.
     Sphere,
-    /// step03_nearest.
+    /// `step03_nearest`.
     Nearest,
-    /// step04_diffuse.
+    /// `step04_diffuse`.
     Diffuse,
-    /// step05_phong.
+    /// `step05_phong`.
     Phong,
 }
 
 impl Step {
-    /// All steps.
+    /// All steps, in order.
     pub const ALL: [Self; 5] =
         [Self::Rays, Self::Sphere, Self::Nearest, Self::Diffuse, Self::Phong];
 
-    /// The names of all steps.
+    /// The names of all steps, in order.
     pub const NAMES: [&str; 5] =
         ["step01_rays", "step02_sphere", "step03_nearest", "step04_diffuse", "step05_phong"];
 
-    /// The number of the step, from 1 to 5.
+    /// The step's number, from 1 to 5.
     pub fn number(self) -> usize {
         self as usize + 1
     }
 
-    /// The name of the step: that of its crate, its first chapter and its locked picture.
+    /// The step's name, which is also the name of its crate, its first chapter and its locked
+    /// picture.
     pub fn name(self) -> &'static str {
         Self::NAMES[self as usize]
     }
 
-    /// The step with this name.
+    /// Finds the step with this name.
     pub fn from_name(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|step| step.name() == name)
     }

@@ -1,7 +1,7 @@
-//! Characters that must not be printed as they are.
+//! Characters that shouldn't be printed as they are.
 
-/// Whether a terminal obeys a character instead of showing it, or the character changes the
-/// direction of the text.
+/// Whether a terminal would act on `c` instead of showing it. This includes the characters that
+/// change the direction of text.
 pub fn is_obeyed_by_terminals(c: char) -> bool {
     let changes_direction = matches!(
         c,

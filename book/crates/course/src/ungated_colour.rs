@@ -1,12 +1,12 @@
-//! Step 5 without the test of n·l, which a chapter shows.
+//! Step 5 without its test of n·l, which a chapter demonstrates.
 
 use glam::DVec3;
 use step01_rays::{Ray, direction_colour};
 use step05_phong::{Light, Material, Scene, light_terms, phong, visible_point};
 
-/// The colour that `ray` would see without the test of n·l. Then each light also makes a highlight
-/// behind the surface. That highlight is the one of −n, for which r is the same, and which the test
-/// lets through exactly where it stops that of n.
+/// The colour that `ray` would see without the test of n·l. Each light then also makes a highlight
+/// on surfaces that face away from it. We get it as the highlight for −n: r is the same for n and
+/// −n, and −n passes the test exactly where n fails it.
 pub fn ungated_colour(scene: &Scene<Material, Light>, ray: &Ray) -> DVec3 {
     let Some(point) = visible_point(&scene.objects, ray) else {
         return direction_colour(ray);

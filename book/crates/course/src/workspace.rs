@@ -1,16 +1,16 @@
-//! Where the project is, and how to run Cargo there.
+//! Finds the project's folders, and runs Cargo there.
 
 use std::env;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// The modules of the pages: `live` draws what is interactive, `check` looks at a reader's picture,
-/// and `expressions` draws with the lines that a reader edits.
+/// The WebAssembly modules that pages load: `live` draws the interactive figures, `check` examines
+/// a reader's picture, and `expressions` draws with the lines that a reader edits.
 pub const MODULES: [&str; 3] = ["live", "check", "expressions"];
 
-/// The folder of the project, even if it was moved after this program was built.
+/// The root folder of the project, even if it was moved after this program was built.
 ///
-/// It is searched for upwards from the package that Cargo runs, then from the current folder and
+/// We search upwards from the package that Cargo is running, then from the current folder, then
 /// from the program.
 pub fn workspace() -> PathBuf {
     let package = env::var_os("CARGO_MANIFEST_DIR").map(PathBuf::from);
@@ -22,8 +22,8 @@ pub fn workspace() -> PathBuf {
     folder.unwrap_or(compiled).to_owned()
 }
 
-/// The target folder that this program is in, which Cargo marks by a file, or that of the workspace
-/// if the program was copied elsewhere.
+/// The target folder that contains this program, recognised by the tag file that Cargo puts there.
+/// If the program was copied elsewhere, it is the target folder of the workspace.
 pub fn target_folder() -> PathBuf {
     let program = env::current_exe().unwrap_or_default();
     let mut around = program.ancestors();
@@ -31,8 +31,8 @@ pub fn target_folder() -> PathBuf {
     target.map_or_else(|| workspace().join("target"), Path::to_owned)
 }
 
-/// A command that starts Cargo, the one that runs this program if there is one. It compiles for
-/// this machine, so the programs are directly in the folder `debug`.
+/// A command that runs Cargo: the same one that runs this program, if any. It builds for this
+/// machine, so that programs end up directly in the folder `debug`.
 pub fn cargo_command() -> Command {
     let mut command = Command::new(env::var_os("CARGO").unwrap_or("cargo".into()));
     command.env_remove("CARGO_BUILD_TARGET");

@@ -1,26 +1,26 @@
-//! Values as one word, `red-sphere-radius:2,camera-roll:45`, as the page writes them in requests,
-//! and in the address of a scene.
+//! Parameter values as one word, such as `red-sphere-radius:2,camera-roll:45`, which the page
+//! writes in requests and in the address of a scene.
 
 use crate::{Figure, ParameterValues};
 use std::collections::BTreeMap;
 use std::error::Error;
 use std::fmt::{self, Display, Formatter};
 
-/// What is wrong with values in a request or an address.
+/// What is wrong with the values in a request or an address.
 #[derive(Clone, Debug, PartialEq)]
 pub enum AddressError {
-    /// There is no parameter of this name.
+    /// No parameter has this name.
     UnknownParameter(String),
-    /// The value isn't a number that the parameter may have.
+    /// The value isn't a number within the parameter's range.
     NotAllowed {
         /// The name of the parameter.
         parameter: String,
-        /// What the address says.
+        /// The value in the address.
         value: String,
         /// The smallest and the largest value.
         range: [f64; 2],
     },
-    /// The values are allowed one by one, but there is nothing to show at all of them.
+    /// Each value is allowed, but all of them together leave nothing to show.
     NothingToShow,
 }
 
@@ -40,7 +40,7 @@ impl Display for AddressError {
     }
 }
 
-/// The values that differ from the defaults.
+/// Formats the values that differ from the defaults.
 pub fn format_address(figure: &Figure, values: &ParameterValues) -> String {
     let different = figure.parameters.iter().filter_map(|parameter| {
         let value = values[parameter.id];
@@ -49,13 +49,14 @@ pub fn format_address(figure: &Figure, values: &ParameterValues) -> String {
     different.collect::<Vec<_>>().join(",")
 }
 
-/// The values at an address, each within its range. A parameter that isn't in it has its default.
+/// Parses an address, whose values must be within their ranges. A parameter that isn't mentioned
+/// has its default.
 pub fn parse_address(figure: &Figure, address: &str) -> Result<ParameterValues, AddressError> {
     parse(figure, address, true)
 }
 
-/// The values of a request, where a number outside the range of its parameter becomes the nearest
-/// one within it. A parameter that isn't in it has its default.
+/// Parses the values in a request, where a number outside its range becomes the nearest one within
+/// it. A parameter that isn't mentioned has its default.
 pub fn parse_values(figure: &Figure, text: &str) -> Result<ParameterValues, AddressError> {
     parse(figure, text, false)
 }

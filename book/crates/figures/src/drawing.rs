@@ -1,12 +1,13 @@
-//! A drawing in SVG.
+//! Drawings in SVG.
 
 use crate::View;
 use crate::text_markup::{escape, symbol_spans};
 use glam::DVec2;
 
-/// A drawing in SVG: x runs right to 480 and y down, and a line of text is about 20 high.
+/// A drawing in SVG, 480 wide. x points right and y points down, and a line of text is about 20
+/// high.
 ///
-/// Every element has a class, and gets its colours from the style sheet of the theme.
+/// Every element has a class, through which the theme's style sheet gives it its colours.
 #[derive(Clone, Debug)]
 pub struct Drawing {
     height: f64,
@@ -19,12 +20,12 @@ impl Drawing {
         Self { height, body: String::new() }
     }
 
-    /// A straight line.
+    /// Draws a straight line.
     pub fn line(&mut self, class: &str, start: DVec2, end: DVec2) {
         self.path(class, [start, end]);
     }
 
-    /// An arrow whose tip is at `tip`.
+    /// Draws an arrow that ends at `tip`.
     pub fn arrow(&mut self, class: &str, start: DVec2, tip: DVec2) {
         let along = (tip - start).normalize_or(DVec2::X);
         let back = tip - 9.0 * along;
@@ -33,30 +34,30 @@ impl Drawing {
         self.area(&format!("{class} head"), [tip, back + side, back - side]);
     }
 
-    /// A line through all `points`.
+    /// Draws a line through all `points`.
     pub fn path(&mut self, class: &str, points: impl IntoIterator<Item = DVec2>) {
         self.body += &format!(r#"<path class="{class}" d="{}"></path>"#, path_commands(points));
     }
 
-    /// The area whose corners are `points`.
+    /// Draws the area whose corners are `points`.
     pub fn area(&mut self, class: &str, points: impl IntoIterator<Item = DVec2>) {
         self.body +=
             &format!(r#"<path class="{class} area" d="{}Z"></path>"#, path_commands(points));
     }
 
-    /// A circle.
+    /// Draws a circle.
     pub fn circle(&mut self, class: &str, centre: DVec2, radius: f64) {
         let DVec2 { x, y } = centre;
         let position = format!(r#"cx="{x:.2}" cy="{y:.2}" r="{radius:.2}""#);
         self.body += &format!(r#"<circle class="{class}" {position}></circle>"#);
     }
 
-    /// A small filled circle, which marks a point.
+    /// Draws a small filled circle to mark a point.
     pub fn dot(&mut self, class: &str, centre: DVec2) {
         self.circle(&format!("{class} dot"), centre, 4.5);
     }
 
-    /// A pixel as a disc in its own colour.
+    /// Draws a pixel as a disc in its own colour.
     pub fn pixel(&mut self, centre: DVec2, radius: f64, [red, green, blue]: [u8; 3]) {
         let DVec2 { x, y } = centre;
         self.body += &format!(
@@ -64,16 +65,16 @@ impl Drawing {
         );
     }
 
-    /// An arc about `centre` from one angle to another, in radians from the x axis,
-    /// upwards.
+    /// Draws an arc around `centre` from one angle to another. Angles are in radians, anticlockwise
+    /// from the x axis.
     pub fn arc(&mut self, class: &str, centre: DVec2, radius: f64, [start, end]: [f64; 2]) {
         let angle = |k: i32| start + (end - start) * f64::from(k) / 24.0;
         let view = View { origin: centre, scale: DVec2::splat(radius) };
         self.path(class, (0..=24).map(|k| view.to_drawing(DVec2::from_angle(angle(k)))));
     }
 
-    /// A text with its middle at a position; with the class `start` it begins there, with `end` it
-    /// ends there. Symbols are between dollar signs: `$V_0$` is a V with a 0 below the line.
+    /// Writes text centred at a position; with the class `start` it begins there, and with `end` it
+    /// ends there. Symbols are between dollar signs: `$V_0$` is a V with a subscript 0.
     pub fn label(&mut self, class: &str, position: DVec2, text: &str) {
         let parts = text.split('$').zip([escape, symbol_spans].into_iter().cycle());
         let spans: String = parts.map(|(part, spans)| spans(part)).collect();
@@ -81,12 +82,12 @@ impl Drawing {
         self.body += &format!(r#"<text class="{class}" x="{x:.1}" y="{y:.1}">{spans}</text>"#);
     }
 
-    /// The elements, as the children of an element of SVG.
+    /// The drawing's elements, to be put inside an SVG element.
     pub fn svg_elements(&self) -> &str {
         &self.body
     }
 
-    /// The drawing as an element of HTML, with a `title` for those who can't see it.
+    /// The drawing as an HTML element, with a `title` for readers who can't see it.
     pub fn html(&self, title: &str) -> String {
         let Self { height, body } = self;
         let title = escape(title);
@@ -96,7 +97,7 @@ impl Drawing {
     }
 }
 
-/// The commands of a path through `points`.
+/// The commands for a path through `points`.
 fn path_commands(points: impl IntoIterator<Item = DVec2>) -> String {
     let pairs = points.into_iter().map(|DVec2 { x, y }| format!("{x:.2} {y:.2}"));
     format!("M{}", pairs.collect::<Vec<_>>().join("L"))

@@ -1,27 +1,27 @@
-//! A figure: its content, what the reader sets of it, and what it reads out.
+//! A figure: what it shows, what the reader can set, and what it reads out.
 
 use crate::{Drawing, Handle, Mark, Parameter, ParameterId, ParameterValues};
 use glam::DVec2;
 use image::RgbImage;
 use std::collections::BTreeMap;
 
-/// A drawing or a picture that a page can change.
+/// A drawing or a picture that a reader can change on a page.
 pub struct Figure {
     /// The name in chapters and requests.
     pub name: &'static str,
-    /// What is shown.
+    /// What the figure shows.
     pub content: Content,
-    /// The figure whose values this one takes, instead of having controls.
+    /// The figure whose values this one takes instead of having controls of its own.
     pub followed: Option<&'static str>,
-    /// The numbers that the reader sets.
+    /// The numbers that the reader can set.
     pub parameters: Vec<Parameter>,
-    /// The marks that the reader drags.
+    /// The marks that the reader can drag.
     pub handles: Vec<Handle>,
-    /// The texts elsewhere on the page that depend on these values.
+    /// Writes the texts elsewhere on the page that depend on the values.
     pub readouts: fn(&ParameterValues) -> Readouts,
-    /// What only a scene of the reader's own has.
+    /// Extras for a scene that the reader edits. None for all other figures.
     pub editable_scene: Option<EditableScene>,
-    /// Whether there is something to show at these values.
+    /// Whether there is anything to show at these values.
     pub is_allowed: fn(&ParameterValues) -> bool,
 }
 
@@ -29,41 +29,41 @@ pub struct Figure {
 pub enum Content {
     /// Lines and labels.
     Drawing {
-        /// The title, for those who can't see the drawing.
+        /// The title, for readers who can't see the drawing.
         title: &'static str,
         /// The caption, in Markdown with formulas.
         caption: &'static str,
-        /// Draws it.
+        /// Draws the lines and labels at these values.
         draw: fn(&ParameterValues) -> Drawing,
     },
-    /// Pixels, whose description and caption are in their chapter.
+    /// Pixels. The description and the caption are in the chapter.
     Picture {
-        /// Draws it with at most this many columns.
+        /// Draws the pixels at these values, with at most this many columns.
         draw: fn(&ParameterValues, u32) -> RgbImage,
     },
 }
 
-/// Texts by name: numbers and vectors, formatted for the page, and some words.
+/// Texts by name: numbers and vectors, formatted for the page, and some phrases.
 pub type Readouts = BTreeMap<String, String>;
 
-/// Readouts with these names.
+/// Collects texts by name.
 pub fn collect_readouts<const N: usize>(texts: [(&str, String); N]) -> Readouts {
     texts.map(|(name, text)| (name.into(), text)).into()
 }
 
-/// A scene of which the reader sets everything. Its parameters belong to objects, and the page has
-/// the controls of one object at a time.
+/// A scene in which the reader can set everything. Its parameters belong to objects, and the page
+/// shows the controls of one object at a time.
 pub struct EditableScene {
-    /// The Rust program that draws it.
+    /// Formats the Rust program that draws the scene.
     pub program: fn(&ParameterValues) -> String,
-    /// The object that is seen at a position.
+    /// Finds the object at a position in the picture.
     pub object_at: fn(&ParameterValues, DVec2) -> Option<&'static str>,
-    /// The objects that have a colour, and the parameters of its three channels.
+    /// The objects that have a colour, with the parameters for its three channels.
     pub colours: Vec<(&'static str, [ParameterId; 3])>,
 }
 
 impl Figure {
-    /// A figure that shows this, and nothing else.
+    /// A figure with this content and nothing else.
     pub(crate) fn new(name: &'static str, content: Content) -> Self {
         Self {
             name,
@@ -77,7 +77,7 @@ impl Figure {
         }
     }
 
-    /// The value of each parameter in the printed book.
+    /// The default value of each parameter, as in the printed book.
     pub fn default_values(&self) -> ParameterValues {
         self.parameters.iter().map(|parameter| (parameter.id, parameter.default)).collect()
     }
@@ -87,8 +87,8 @@ impl Figure {
         self.handles.iter().find(|handle| handle.mark == Mark::Probe)
     }
 
-    /// The default values with the probe at the pixel (i, j). None if there is no probe, or no such
-    /// pixel.
+    /// The default values, but with the probe at the pixel (i, j). Returns None if there is no
+    /// probe, or no such pixel.
     pub fn values_at_pixel(&self, [i, j]: [f64; 2]) -> Option<ParameterValues> {
         let probe = self.probe()?;
         let mut values = self.default_values();
@@ -98,7 +98,8 @@ impl Figure {
         (allowed == values).then_some(values)
     }
 
-    /// The values after a handle was dragged to a position; None if nothing is allowed there.
+    /// The values after a handle is dragged to a position. Returns None if there is nothing to show
+    /// at them.
     pub fn drag_handle(
         &self,
         values: &ParameterValues,
@@ -112,7 +113,7 @@ impl Figure {
         self.snap_if_allowed(&new)
     }
 
-    /// The allowed values that are nearest to these; None if there is nothing to show.
+    /// The nearest allowed values. Returns None if there is nothing to show at them.
     pub fn snap_if_allowed(&self, values: &ParameterValues) -> Option<ParameterValues> {
         let allowed = self
             .parameters

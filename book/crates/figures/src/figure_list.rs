@@ -5,7 +5,7 @@ use crate::pictures::*;
 use crate::{Figure, own_scene};
 use std::sync::LazyLock;
 
-/// Every figure: the drawings, then the pictures, each in the order of the book.
+/// Every figure: first the drawings, then the pictures, each in the order of the book.
 pub static FIGURES: LazyLock<Vec<Figure>> = LazyLock::new(|| {
     vec![
         ray::figure(),
@@ -34,7 +34,7 @@ pub static FIGURES: LazyLock<Vec<Figure>> = LazyLock::new(|| {
     ]
 });
 
-/// The figure of this name.
+/// Finds the figure with this name.
 pub fn find_figure(name: &str) -> Option<&'static Figure> {
     FIGURES.iter().find(|figure| figure.name == name)
 }
@@ -65,7 +65,7 @@ mod tests {
             for handle in &figure.handles {
                 let ids =
                     [Some(handle.horizontal), Some(handle.vertical), handle.depth, handle.presence];
-                // Reading a value panics if there is no such parameter.
+                // Indexing panics if there is no such parameter.
                 assert!(
                     ids.into_iter().flatten().all(|id| values[id].is_finite()),
                     "{}",

@@ -1,30 +1,31 @@
-//! Numbers as the book writes them, with a minus that is longer than a hyphen, and names.
+//! Numbers and names as the book writes them. A minus is a real minus sign, not a hyphen.
 
-/// At most four digits after the point.
+/// Formats a number with at most four digits after the point.
 pub fn format_number(number: f64) -> String {
     let text = format!("{number:.4}");
     let text = text.trim_end_matches('0').trim_end_matches('.');
     if text == "-0" { "0".to_string() } else { text.replace('-', "−") }
 }
 
-/// At most this many digits after the point, up to four.
+/// Formats a number with at most this many digits after the point. More than four make no
+/// difference.
 pub fn format_rounded(number: f64, digits: i32) -> String {
     let power = 10_f64.powi(digits);
     format_number((number * power).round() / power)
 }
 
-/// The name that the chapters give an object: a sphere is called by its colour.
+/// The name that the chapters use for an object: for a sphere, its colour.
 pub fn short_name(name: &str) -> &str {
     name.trim_end_matches(" sphere")
 }
 
-/// Three numbers as (x, y, z).
+/// Formats three numbers as (x, y, z).
 pub fn format_vector(vector: impl Into<[f64; 3]>) -> String {
     let [x, y, z] = vector.into().map(format_number);
     format!("({x}, {y}, {z})")
 }
 
-/// A count, with a comma between thousands.
+/// Formats a count with a comma between thousands.
 pub fn format_count(count: usize) -> String {
     let digits = count.to_string();
     let has_comma = |k: usize| k > 0 && (digits.len() - k).is_multiple_of(3);

@@ -1,50 +1,50 @@
-//! A mark in a figure that the reader drags.
+//! Marks in a figure that the reader can drag.
 
 use crate::probe::SIZE;
 use crate::{ParameterId, ParameterValues, PointId, View, direction_left_of_up};
 use glam::{DVec2, DVec3};
 use step01_rays::Camera;
 
-/// A mark in a drawing or a picture that the reader drags, or moves by the arrow keys.
+/// A mark in a drawing or a picture that the reader can drag, or move with the arrow keys.
 ///
 /// Its position is in the coordinates of the drawing, or in pixels.
 pub struct Handle {
     /// The name in words.
     pub words: &'static str,
-    /// The mark that is drawn.
+    /// What the mark looks like.
     pub mark: Mark,
     /// The parameter that the left and right arrow keys change.
     pub horizontal: ParameterId,
-    /// The parameter that the up and down arrow keys change. It may be the same one.
+    /// The parameter that the up and down arrow keys change. It may be the same as `horizontal`.
     pub vertical: ParameterId,
-    /// The parameter that says how far towards the reader it is, if the page lets it be moved that
-    /// way.
+    /// The parameter for the distance towards the reader, if the handle can be moved that way on
+    /// the page.
     pub depth: Option<ParameterId>,
-    /// The switch that takes what it moves into the scene, if there is one.
+    /// The switch that adds the handle's object to the scene, if there is one.
     pub presence: Option<ParameterId>,
-    /// Its position at these values; None if there is nothing to drag.
+    /// The handle's position at these values, or None if there is nothing to drag.
     pub locate: Box<Locate>,
-    /// The values of `horizontal` and `vertical` that bring it to a position, or near it. Where
-    /// both are one parameter, so are the two values.
+    /// The values of `horizontal` and `vertical` that move the handle to a position, or near it. If
+    /// both are the same parameter, the two values are equal.
     pub coordinates_at: Box<CoordinatesAt>,
 }
 
 type Locate = dyn Fn(&ParameterValues) -> Option<DVec2> + Send + Sync;
 type CoordinatesAt = dyn Fn(&ParameterValues, DVec2) -> DVec2 + Send + Sync;
 
-/// The mark of a handle.
+/// What a handle looks like.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Mark {
-    /// A ring, which moves a part of the figure.
+    /// A ring, which moves part of the figure.
     Point,
     /// A dotted ring, which moves a light.
     Light,
-    /// A cross at the pixel whose trace is read out. It moves nothing.
+    /// A cross at the pixel whose trace is read out. It doesn't change the picture.
     Probe,
 }
 
 impl Mark {
-    /// The name in a reply.
+    /// The name of the mark in a reply.
     pub fn name(self) -> &'static str {
         match self {
             Self::Point => "point",
@@ -55,7 +55,7 @@ impl Mark {
 }
 
 impl Handle {
-    /// A handle that sets two parameters; see the fields.
+    /// A handle that sets two parameters. The arguments are described at the fields.
     pub fn new(
         words: &'static str,
         [horizontal, vertical]: [ParameterId; 2],
@@ -86,8 +86,8 @@ impl Handle {
         Self::new(words, [parameter; 2], move |values| Some(locate(values)), value_at)
     }
 
-    /// The handle of an angle to the left of straight up, at this distance from the origin. Far to
-    /// the right of it, the angle is a large one.
+    /// A handle at this distance from the origin that sets an angle, measured to the left of
+    /// straight up. The angle is between −90° and 270°.
     pub fn of_angle(
         words: &'static str,
         parameter: ParameterId,
@@ -102,16 +102,16 @@ impl Handle {
         })
     }
 
-    /// The handle of a point of a drawing.
+    /// The handle of a point in a drawing.
     pub fn of_point_in_drawing(point: PointId, view: View) -> Self {
         let locate = move |values: &ParameterValues| Some(view.to_drawing(values.point(point)));
         let coordinates = [point.x(), point.y()];
         Self::new(point.0, coordinates, locate, move |_, position| view.to_world(position))
     }
 
-    /// The handle of a point of the world in a picture, whose x and y are these parameters; its z
-    /// stays. It is dragged at most to `margin` from the border, and stays where it is if no point
-    /// at its z is ahead. There is nothing to drag while `camera_and_point` gives None.
+    /// A handle in a picture that sets the x and y of a point in the world, and leaves its z. It
+    /// can't be dragged closer than `margin` to the border, and stays where it is if no point with
+    /// this z is ahead of the camera. If `camera_and_point` returns None, there is nothing to drag.
     pub fn of_world_point_in_picture(
         words: &'static str,
         coordinates: [ParameterId; 2],
@@ -124,7 +124,7 @@ impl Handle {
     ) -> Self {
         let locate = move |values: &ParameterValues| {
             let (camera, point) = camera_and_point(values)?;
-            // In p = d [D_u D_v V_0] (i, j, 1)ᵀ, d is the depth.
+            // Solves p = C + d [D_u D_v V_0] (i, j, 1)ᵀ, where d is the depth.
             let pixel = camera.matrix.inverse() * (point - camera.centre);
             (pixel.z > 0.0).then(|| pixel.truncate() / pixel.z + 0.5)
         };
@@ -138,7 +138,7 @@ impl Handle {
         })
     }
 
-    /// Whether the handle moves the object of this parameter, or sets it itself.
+    /// Whether the handle sets this parameter, or moves the object that the parameter belongs to.
     pub fn moves(&self, parameter: ParameterId) -> bool {
         let is_of_same_object =
             parameter.object().is_some() && parameter.object() == self.horizontal.object();

@@ -1,14 +1,14 @@
-//! The interactive figures of the book, drawn by the steps' own code.
+//! The book's interactive figures, drawn by the steps' own code.
 //!
-//! A [`Figure`] shows a *drawing* of lines and labels, or a *picture* of pixels; each is a function
-//! of its *parameters*, which have names, and of their values. The builder prints what the
-//! function gives at the defaults. The page calls the same function, compiled for the browser, when
-//! its reader moves a *handle* or a control: it sends a request, and gets a [`reply`].
+//! A [`Figure`] shows a *drawing*, which has lines and labels, or a *picture*, which has pixels.
+//! Both are functions of the values of the figure's named *parameters*. The builder prints the
+//! result for the default values. When a reader moves a *handle* or a control, the page calls the
+//! same function, compiled for the browser: it sends a request and gets a [`reply`].
 //!
 //! *Readouts* are texts elsewhere on the page that depend on the values. The *trace* of a pixel is
-//! all the numbers from its ray to its bytes; a *probe* is the handle that chooses the pixel.
+//! every number from its ray to its bytes, and a *probe* is the handle that selects the pixel.
 //!
-//! Nothing here knows of the book.
+//! This crate doesn't depend on the book's text.
 
 mod format;
 pub use format::{format_count, short_name};

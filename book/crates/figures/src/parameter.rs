@@ -1,33 +1,33 @@
-//! A number that the reader sets.
+//! A number that the reader can set.
 
 use crate::format::format_number;
 use crate::{ParameterId, ParameterValues, PointId};
 
-/// A number that the reader sets, by a control below a figure or by a handle in it.
+/// A number that the reader can set, with a control below a figure or with a handle in it.
 ///
-/// All that a page knows of it comes from here: the builder prints its control, and the reply to
-/// `about` has the rest.
+/// Everything that a page knows about it comes from here: the builder prints its control, and the
+/// reply to `about` has the rest.
 #[derive(Clone)]
 pub struct Parameter {
-    /// The name by which its value is read.
+    /// The name under which its value is stored.
     pub id: ParameterId,
-    /// The symbol, in the letters of the formulas, or nothing.
+    /// The symbol, written as in the formulas, or an empty string.
     pub symbol: &'static str,
     /// The name in words, which follows the symbol.
     pub words: String,
-    /// The unit, such as °, or nothing.
+    /// The unit, such as °, or an empty string.
     pub unit: &'static str,
-    /// The default value, with which the book is printed.
+    /// The default value, which is the one in the printed book.
     pub default: f64,
-    /// The smallest and the largest value.
+    /// The smallest and the largest allowed value.
     pub range: [f64; 2],
-    /// The number of allowed values from one whole number to the next.
+    /// The number of allowed values per unit.
     pub steps_per_unit: f64,
-    /// What the value means, and with it the kind of control.
+    /// What the value means, which determines the kind of control.
     pub kind: ParameterKind,
-    /// Where a handle moves when the value grows. None if it isn't a coordinate.
+    /// The direction in which a handle moves when the value grows. None if it isn't a coordinate.
     pub axis: Option<Axis>,
-    /// Whether, at these values of all parameters, the page has a control for this one.
+    /// Whether the page shows a control for this parameter at these values of all parameters.
     pub has_control: fn(&Self, &ParameterValues) -> bool,
 }
 
@@ -36,9 +36,9 @@ pub struct Parameter {
 pub enum ParameterKind {
     /// A number.
     Number,
-    /// One of these names, by its index.
+    /// One of these names, by index.
     Choice(&'static [&'static str]),
-    /// 1 for on, 0 for off.
+    /// On if 1, off if 0.
     Switch,
 }
 
@@ -47,14 +47,14 @@ pub enum ParameterKind {
 pub enum Axis {
     /// To the right.
     Right,
-    /// Upwards, as y in a drawing.
+    /// Upwards, like y in the world.
     Up,
-    /// Downwards, as the rows of a picture.
+    /// Downwards, like the rows of a picture.
     Down,
 }
 
 impl Axis {
-    /// The name in a reply.
+    /// The name of the axis in a reply.
     pub fn name(self) -> &'static str {
         match self {
             Self::Right => "right",
@@ -65,7 +65,7 @@ impl Axis {
 }
 
 impl Parameter {
-    /// A number, without a symbol and a unit.
+    /// A number without a symbol or unit.
     pub fn number(
         id: ParameterId,
         words: impl Into<String>,
@@ -87,22 +87,22 @@ impl Parameter {
         }
     }
 
-    /// The parameter with this symbol.
+    /// Sets the symbol.
     pub fn with_symbol(self, symbol: &'static str) -> Self {
         Self { symbol, ..self }
     }
 
-    /// The parameter with this unit.
+    /// Sets the unit.
     pub fn with_unit(self, unit: &'static str) -> Self {
         Self { unit, ..self }
     }
 
-    /// The parameter as a coordinate along this axis.
+    /// Makes the parameter a coordinate along this axis.
     pub fn with_axis(self, axis: Axis) -> Self {
         Self { axis: Some(axis), ..self }
     }
 
-    /// The x and the y of a point.
+    /// The x and y of a point.
     pub fn point(
         id: PointId,
         [x, y]: [f64; 2],
@@ -115,7 +115,7 @@ impl Parameter {
         [x.with_symbol("x").with_axis(Axis::Right), y.with_symbol("y").with_axis(Axis::Up)]
     }
 
-    /// One of several names.
+    /// A choice between several names.
     pub fn choice(
         id: ParameterId,
         words: &'static str,
@@ -138,15 +138,15 @@ impl Parameter {
         1.0 / self.steps_per_unit
     }
 
-    /// The allowed value that is nearest to `value`.
+    /// The allowed value nearest to `value`.
     pub fn nearest_allowed(&self, value: f64) -> f64 {
         let [min, max] = self.range;
         let rounded = (value * self.steps_per_unit).round() / self.steps_per_unit;
-        // Adding 0 makes a 0 of −0.
+        // Adding 0 turns −0 into 0.
         rounded.clamp(min, max) + 0.0
     }
 
-    /// A value as the page writes it.
+    /// Formats a value as the page shows it.
     pub fn format(&self, value: f64) -> String {
         match self.kind {
             ParameterKind::Number => format_number(value) + self.unit,

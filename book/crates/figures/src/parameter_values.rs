@@ -1,13 +1,13 @@
-//! The names of parameters, and the values of a figure's parameters by name.
+//! The names of parameters, and the values that a figure's parameters have.
 
 use glam::{DVec2, DVec3, dvec2};
 use std::collections::BTreeMap;
 use std::fmt::{self, Display, Formatter};
 use std::ops::Index;
 
-/// The name of a parameter, which no other parameter of its figure has.
+/// The name of a parameter, unique within its figure.
 ///
-/// Displayed, it is one word, such as `red-sphere-radius`: the name that a page uses.
+/// It is displayed as one word, such as `red-sphere-radius`, which is the name that pages use.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct ParameterId {
     object: Option<&'static str>,
@@ -15,12 +15,12 @@ pub struct ParameterId {
 }
 
 impl ParameterId {
-    /// The name of a parameter of the figure as a whole.
+    /// The name of a parameter that belongs to the figure as a whole.
     pub const fn new(name: &'static str) -> Self {
         Self { object: None, name }
     }
 
-    /// The name of a parameter of one of the figure's objects.
+    /// The name of a parameter that belongs to one of the figure's objects.
     pub const fn of(object: &'static str, name: &'static str) -> Self {
         Self { object: Some(object), name }
     }
@@ -40,22 +40,22 @@ impl Display for ParameterId {
     }
 }
 
-/// A point whose coordinates are parameters, by its name in words, such as "the start S".
+/// A point whose coordinates are parameters. It has a name in words, such as "the start S".
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PointId(pub &'static str);
 
 impl PointId {
-    /// The name of the point's x.
+    /// The name of the parameter for the point's x.
     pub const fn x(self) -> ParameterId {
         ParameterId::of(self.0, "x")
     }
 
-    /// The name of the point's y.
+    /// The name of the parameter for the point's y.
     pub const fn y(self) -> ParameterId {
         ParameterId::of(self.0, "y")
     }
 
-    /// The name of the point's z, if it has one.
+    /// The name of the parameter for the point's z, if it has one.
     pub const fn z(self) -> ParameterId {
         ParameterId::of(self.0, "z")
     }
@@ -66,7 +66,7 @@ impl PointId {
 pub struct ParameterValues(BTreeMap<ParameterId, f64>);
 
 impl ParameterValues {
-    /// Gives a parameter another value.
+    /// Sets the value of a parameter.
     pub fn set(&mut self, id: ParameterId, value: f64) {
         self.0.insert(id, value);
     }
@@ -76,12 +76,12 @@ impl ParameterValues {
         self[id] == 1.0
     }
 
-    /// The one of `options` that the value of a choice stands for.
+    /// The option that the value of a choice selects.
     pub fn choice<T: Copy>(&self, id: ParameterId, options: &[T]) -> T {
         options[self[id] as usize]
     }
 
-    /// The x and the y of a point.
+    /// The x and y of a point.
     pub fn point(&self, point: PointId) -> DVec2 {
         dvec2(self[point.x()], self[point.y()])
     }
@@ -91,7 +91,7 @@ impl ParameterValues {
         self.point(point).extend(self[point.z()])
     }
 
-    /// Whether all values are numbers, and not infinite.
+    /// Whether all values are finite.
     pub fn are_finite(&self) -> bool {
         self.0.values().all(|value| value.is_finite())
     }

@@ -1,4 +1,4 @@
-//! The probe of a picture: a cross at the pixel whose trace is read out.
+//! The probe in a picture: a cross at the pixel whose trace is read out.
 
 use crate::parameter::Axis;
 use crate::{Content, Figure, Handle, Mark, Parameter, ParameterId, ParameterValues};
@@ -6,15 +6,15 @@ use glam::{DVec2, DVec3, dvec2};
 use image::RgbImage;
 use step01_rays::{Ray, render};
 
-/// Columns and rows of the pictures of the course.
+/// The columns and rows of the course's pictures.
 pub const SIZE: DVec2 = dvec2(640.0, 360.0);
 
-/// The column and the row of the probe's pixel.
+/// The column and row of the probe's pixel.
 pub const I: ParameterId = ParameterId::new("i");
 pub const J: ParameterId = ParameterId::new("j");
 
-/// A picture of the course with a probe, which is at the pixel (i, j) by default, and with these
-/// other parameters.
+/// A picture of the course with these parameters and a probe, which is at the pixel (i, j) by
+/// default.
 pub fn probed_picture(
     name: &'static str,
     [i, j]: [f64; 2],
@@ -24,7 +24,7 @@ pub fn probed_picture(
     let i = Parameter::number(I, "column", i, [0.0, SIZE.x - 1.0], 1.0);
     let j = Parameter::number(J, "row", j, [0.0, SIZE.y - 1.0], 1.0);
     let own = [i.with_symbol("i").with_axis(Axis::Right), j.with_symbol("j").with_axis(Axis::Down)];
-    // A handle is at the middle of its pixel.
+    // The handle is at the centre of its pixel.
     let locate = |values: &ParameterValues| Some(dvec2(values[I], values[J]) + 0.5);
     let handle =
         Handle::new("the pixel that you ask", [I, J], locate, |_, position| position - 0.5);
@@ -35,12 +35,12 @@ pub fn probed_picture(
     }
 }
 
-/// The ray of the probe's pixel.
+/// The ray through the probe's pixel.
 pub fn probe_ray(values: &ParameterValues) -> Ray {
     course::camera().ray(values[I], values[J])
 }
 
-/// The picture in these colours, as the camera of the course sees it.
+/// Draws a picture with the course's camera, where `colour` is the colour that a ray sees.
 pub fn draw_picture(columns: u32, colour: impl Fn(&Ray) -> DVec3 + Sync) -> RgbImage {
     render(&course::camera_with_fov(60.0, columns), 1, colour)
 }

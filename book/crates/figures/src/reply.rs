@@ -1,4 +1,4 @@
-//! The replies to the requests of a page.
+//! Replies to requests from a page.
 
 use crate::address::{format_address, parse_address, parse_values};
 use crate::{AddressError, Content, Figure, Mark, Parameter, ParameterValues, find_figure};
@@ -9,34 +9,34 @@ use std::error::Error;
 use std::fmt::{self, Display, Formatter};
 use std::ops::RangeInclusive;
 
-/// The columns of a picture, unless the request says another number.
+/// The columns of a picture, unless the request says otherwise.
 pub const COLUMNS: u32 = 640;
 
-/// How many columns a request may ask for.
+/// The numbers of columns that a request may ask for.
 const ALLOWED_COLUMNS: RangeInclusive<u32> = 2..=3840;
 
-/// The reply to a request of the page.
+/// The reply to a request from a page.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Reply {
-    /// A JSON object of what the page shows, or of an `error`.
+    /// A JSON object with what the page shows, or with an `error`.
     pub text: String,
-    /// The pixels of a picture; otherwise empty.
+    /// The pixels of a picture, or empty if there is none.
     pub pixels: Vec<u8>,
 }
 
 impl Reply {
-    /// A reply of these fields, which are JSON already.
+    /// A reply with these fields, whose values are already JSON.
     pub fn from_json_fields(fields: impl IntoIterator<Item = (&'static str, String)>) -> Self {
         Self { text: json::object(fields), pixels: vec![] }
     }
 }
 
-/// Why there is no reply to a request.
+/// Why a request can't be answered.
 #[derive(Clone, Debug, PartialEq)]
 pub enum RequestError {
-    /// The request isn't one of those that [`reply`] lists.
+    /// The request isn't one of those listed at [`reply`].
     UnknownRequest(String),
-    /// Its values aren't values of the figure.
+    /// The figure can't have these values.
     Address(AddressError),
 }
 
@@ -60,15 +60,15 @@ impl From<AddressError> for RequestError {
 /// Replies to a request such as `show row rays:7,field-of-view:60`.
 ///
 /// - `about NAME`: the parameters and the handles.
-/// - `show NAME VALUES COLUMNS`: all that the page shows at these values; of a picture, at most this
-///   many columns. Without a number, they are as many as those of the book.
+/// - `show NAME VALUES COLUMNS`: everything that the page shows at these values. A picture has at
+///   most this many columns; if the number is omitted, it has as many as in the book.
 /// - `read NAME VALUES`: the same without the drawing or the pixels.
-/// - `drag NAME VALUES HANDLE X Y COLUMNS`: as `show`, after a handle was dragged to a position.
+/// - `drag NAME VALUES HANDLE X Y COLUMNS`: as for `show`, after a handle is dragged to a position.
 ///   Handles are numbered from 0, in the order of `about`.
-/// - `pick NAME VALUES X Y`: the object that is seen at a position, or nothing.
-/// - `open NAME ADDRESS`: as `show`, at the values of an address.
+/// - `pick NAME VALUES X Y`: the object at a position, or null.
+/// - `open NAME ADDRESS`: as for `show`, at the values of an address.
 ///
-/// A probe leaves the picture as it is: after it was moved, nothing is drawn.
+/// A probe doesn't change the picture, so nothing is drawn after a probe is dragged.
 pub fn reply(request: &str) -> Reply {
     try_reply(request).unwrap_or_else(|error| {
         Reply::from_json_fields([("error", json::quote(&error.to_string()))])
@@ -108,7 +108,7 @@ fn try_reply(request: &str) -> Result<Reply, RequestError> {
     }
 }
 
-/// The columns that a request asks for. None if it may not ask for that.
+/// The number of columns that a request asks for, or None if it isn't allowed.
 fn parse_columns(numbers: &[f64]) -> Option<u32> {
     match numbers {
         [] => Some(COLUMNS),
@@ -117,7 +117,7 @@ fn parse_columns(numbers: &[f64]) -> Option<u32> {
     }
 }
 
-/// What a page knows of a figure before it shows anything.
+/// What a page has to know about a figure before it shows anything.
 fn about(figure: &Figure) -> Reply {
     let handles = figure.handles.iter().map(|handle| {
         json::object([
@@ -158,7 +158,8 @@ fn about_parameter(parameter: &Parameter) -> String {
     ])
 }
 
-/// All that the page shows at these values; drawn with at most this many columns, or not at all.
+/// Everything that the page shows at these values. A picture has at most this many columns; if
+/// `columns` is None, nothing is drawn.
 fn reply_at(figure: &Figure, values: &ParameterValues, columns: Option<u32>) -> Reply {
     let by_id = |field: &dyn Fn(&Parameter, f64) -> String| {
         let fields = figure
@@ -210,7 +211,7 @@ fn quote_or_null(text: Option<impl Display>) -> String {
     text.map_or("null".to_owned(), quote)
 }
 
-/// Red, green, blue and 255 for each pixel, row by row, as a canvas takes them.
+/// The picture in the format of a canvas: red, green, blue and 255 for each pixel, row by row.
 pub fn rgba_bytes(image: &RgbImage) -> Vec<u8> {
     image.pixels().flat_map(|Rgb([red, green, blue])| [*red, *green, *blue, 255]).collect()
 }

@@ -1,6 +1,6 @@
-//! Texts as HTML and SVG: symbols in the letters of the formulas, and escapes.
+//! Text in HTML and SVG: symbols written as in the formulas, and escaping.
 
-/// A symbol in the letters of the formulas: `_` puts the next one below the line.
+/// Writes a symbol in the letters of the formulas. `_` makes the next character a subscript.
 pub fn symbol_spans(text: &str) -> String {
     let mut spans = String::from(r#"<tspan class="math">"#);
     let mut letters = text.chars().map(italic_letter);
@@ -17,8 +17,8 @@ pub fn symbol_spans(text: &str) -> String {
     spans + "</tspan>"
 }
 
-/// The italic letter of mathematics for a Latin or small Greek letter. Any other character stays as it
-/// is.
+/// The mathematical italic form of a Latin or lower-case Greek letter. Any other character is
+/// returned unchanged.
 pub fn italic_letter(c: char) -> char {
     let shifted = |first: char, base: u32| char::from_u32(base + (c as u32 - first as u32));
     let letter = match c {

@@ -1,18 +1,18 @@
-//! Positions in a drawing, and points of the world.
+//! Maps points in the world to positions in a drawing, and back.
 
 use glam::{DVec2, dvec2};
 
-/// A map from the world, where y runs up, to a drawing.
+/// A map from the world, where y points up, to a drawing, where it points down.
 #[derive(Clone, Copy, Debug)]
 pub struct View {
-    /// The position of the world's origin.
+    /// The position in the drawing of the world's origin.
     pub origin: DVec2,
-    /// The length in the drawing of one unit of each axis.
+    /// The length in the drawing of one unit along each axis.
     pub scale: DVec2,
 }
 
 impl View {
-    /// The position of a point of the world.
+    /// The position of a point in the world.
     pub fn to_drawing(self, world_point: DVec2) -> DVec2 {
         self.xy_to_drawing(world_point.x, world_point.y)
     }
@@ -22,20 +22,20 @@ impl View {
         self.origin + self.scale * dvec2(x, -y)
     }
 
-    /// The point of the world at a position in the drawing.
+    /// The point in the world at a position in the drawing.
     pub fn to_world(self, position: DVec2) -> DVec2 {
         (position - self.origin) / self.scale * dvec2(1.0, -1.0)
     }
 
-    /// The angle from straight up, to the left, of the line from the origin to a position, in
-    /// degrees.
+    /// The angle between straight up and the line from the origin to a position, in degrees to the
+    /// left.
     pub fn degrees_left_of_up(self, position: DVec2) -> f64 {
         let DVec2 { x, y } = self.origin - position;
         x.atan2(y).to_degrees()
     }
 }
 
-/// The unit vector of the world that points this many degrees to the left of straight up.
+/// The unit vector in the world that points this many degrees to the left of straight up.
 pub fn direction_left_of_up(degrees: f64) -> DVec2 {
     let angle = degrees.to_radians();
     dvec2(-angle.sin(), angle.cos())

@@ -1,5 +1,5 @@
-//! What a page gets of each figure, locked as text: one element of a drawing, or one field of JSON,
-//! a line.
+//! What a page receives for each figure, locked as text. Each element of a drawing and each field
+//! of JSON has its own line.
 
 use course::{Step, find_picture};
 use figures::{
@@ -9,7 +9,7 @@ use figures::{
 use glam::{DVec2, dvec2};
 use insta::assert_snapshot;
 
-/// The reply to a request, in lines; the last are the first pixels.
+/// The reply to a request, split into lines. The last lines are the first pixels.
 fn reply_lines(request: &str) -> String {
     let Reply { text, pixels } = reply(request);
     let text = json_lines(&text).replace("\\\"", "\"").replace("\\u000a", "\n");
@@ -20,7 +20,7 @@ fn reply_lines(request: &str) -> String {
     text + &pixels.collect::<String>()
 }
 
-/// An object of JSON with a line for each of its fields, for each object in a list, and for each
+/// Splits a JSON object into lines: one for each field, for each object in a list, and for each
 /// text in `texts` and in `readouts`.
 fn json_lines(json: &str) -> String {
     let (mut lines, mut depth, mut is_string, mut has_long_texts) =
@@ -49,13 +49,13 @@ fn json_lines(json: &str) -> String {
     lines
 }
 
-/// The requests, each with its reply below it.
+/// The requests, each followed by its reply.
 fn replies(requests: &[String]) -> String {
     let parts = requests.iter().map(|request| format!("{request}\n{}\n", reply_lines(request)));
     parts.collect::<Vec<_>>().join("\n")
 }
 
-/// Allowed values all over their ranges, different ones for each seed.
+/// Allowed values spread over their ranges, different for each seed.
 fn spread_values(figure: &Figure, seed: usize) -> ParameterValues {
     let golden_ratio = 0.618_033_988_749_895;
     let mut attempts = (0..10_000).filter_map(|attempt| {
@@ -69,7 +69,7 @@ fn spread_values(figure: &Figure, seed: usize) -> ParameterValues {
     attempts.next().expect("allowed values")
 }
 
-/// The default values and, if there are parameters, two others all over their ranges.
+/// The default values and, if there are parameters, two other sets spread over their ranges.
 fn values_to_lock(figure: &Figure) -> Vec<ParameterValues> {
     let [first, second] = [1, 2].map(|seed| spread_values(figure, seed));
     let mut all = vec![figure.default_values(), first, second];
@@ -105,7 +105,7 @@ fn replies_are_as_locked() {
             let address = format_address(figure, values);
             match figure.content {
                 Content::Drawing { .. } => format!("show {} {address}", figure.name),
-                // A picture is drawn with eight columns.
+                // Pictures are drawn with only eight columns.
                 Content::Picture { .. } => format!("show {} {address} 8", figure.name),
             }
         }));
@@ -113,7 +113,7 @@ fn replies_are_as_locked() {
     }
 }
 
-/// Each handle with its position at these values, and its parameters after it was dragged.
+/// Each handle with its position at these values, and its parameters after it is dragged.
 fn handle_lines(figure: &Figure, values: &ParameterValues) -> String {
     let lines = figure.handles.iter().map(|handle| {
         let position = (handle.locate)(values).map(DVec2::round);
@@ -133,9 +133,9 @@ fn dragged_handles_are_as_locked() {
     let own_scene = find_figure("own_scene").expect("a picture");
     let cameras = [
         "camera-position-sideways:6,camera-roll:-30,camera-target-backwards:-8",
-        // It looks back at the scene.
+        // The camera looks back at the scene.
         "camera-position-backwards:-20,camera-target-upwards:1",
-        // The plane in which the red sphere is dragged is seen from its edge.
+        // The plane in which the red sphere is dragged is seen edge-on.
         "camera-position-sideways:6,camera-position-backwards:-7.4,camera-target-backwards:-7.4",
     ];
     let cameras = cameras.map(|address| {

@@ -1,12 +1,12 @@
-//! Replies to the requests of the forms that look at a picture.
+//! Replies to requests to check a picture.
 
 use ::check::{check_png, check_scene_png};
 use course::json;
 use figures::Reply;
 
-/// The report of `check` on a file, and the pixels of the difference. The words are the
-/// name of the picture that it should be, `*` where the file's name tells it, or `@` and the
-/// name to which a scene belongs; behind a line break, the file's name.
+/// Runs `check` on a file, and replies with its report and the pixels of the difference. `words`
+/// starts with the name of the expected picture, with `*` to let `check` find that out, or with `@`
+/// and the name of the person whose scene it should be. After a line break comes the file's name.
 pub fn check(words: &str, file: &[u8]) -> Reply {
     let draw = |name: &str| {
         let picture = course::find_picture(name).map(|picture| picture(&course::camera(), 1));

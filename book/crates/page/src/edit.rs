@@ -1,4 +1,4 @@
-//! Replies to the requests of the line editor.
+//! Replies to requests from the line editor.
 
 use crate::expressions::{Expression, Fault, LineRefusal, draw_edited, parse_expression};
 use course::{
@@ -9,31 +9,31 @@ use figures::Reply;
 use image::RgbImage;
 use std::ops::RangeInclusive;
 
-/// The widths of a picture that a page may ask for.
+/// The picture widths that a page may ask for.
 const COLUMNS: RangeInclusive<u32> = 16..=FULL_SIZE;
 
 /// The width of the book's pictures.
 const FULL_SIZE: u32 = 640;
 
-/// The most operations of a picture: 17 for each pixel of one in full size. They take about 150 ms
-/// in a browser, besides what the book's own code takes.
+/// The maximum number of operations per picture: 17 for each pixel at full size. They take about
+/// 150 ms in a browser, on top of the book's own code.
 const MAX_OPERATIONS: u64 = 4_000_000;
 
-/// The lines that a page asks to draw, each with its place, and the width of the picture.
+/// A request from a page: the edited lines, each with its place, and the width of the picture.
 struct Edit<'a> {
     columns: u32,
     lines: Vec<(Place, &'a str)>,
 }
 
 impl<'a> Edit<'a> {
-    /// Parses `COLUMNS NAME EXPRESSION`, with U+001F before further `NAME EXPRESSION`. None unless
-    /// there is a line to draw.
+    /// Parses `COLUMNS NAME EXPRESSION`, optionally followed by more pairs of `NAME EXPRESSION`,
+    /// each after U+001F. Returns None if the width isn't allowed or there is no line to draw.
     fn parse(words: &'a str) -> Option<Self> {
         let (columns, lines) = words.split_once(' ')?;
         let columns = columns.parse().ok().filter(|columns| COLUMNS.contains(columns))?;
         let places = all_listed_places();
         let lines: Vec<_> = lines.split('\u{1f}').collect();
-        // A page has each place once.
+        // Each place occurs at most once on a page, so a longer list is malformed.
         if lines.len() > places.len() {
             return None;
         }
@@ -45,7 +45,7 @@ impl<'a> Edit<'a> {
         (!lines.is_empty()).then_some(Self { columns, lines })
     }
 
-    /// Compiles the lines.
+    /// Compiles all lines.
     fn expressions(&self) -> Result<Vec<Expression>, LineRefusal> {
         let parse = |(place, text): &(Place, &str)| {
             let expression = parse_expression(place, text);
@@ -54,7 +54,7 @@ impl<'a> Edit<'a> {
         self.lines.iter().map(parse).collect()
     }
 
-    /// Draws the picture, in half its width and height if the whole one takes too many operations.
+    /// Draws the picture, at half width and height if full size takes too many operations.
     fn draw(&self) -> Result<RgbImage, LineRefusal> {
         let expressions = self.expressions()?;
         let draw = |columns, operations| draw_edited(&expressions, columns, operations);
@@ -62,7 +62,8 @@ impl<'a> Edit<'a> {
         if self.columns < FULL_SIZE {
             return draw(self.columns, MAX_OPERATIONS);
         }
-        // A hundredth of the pixels shows it if all of them would take twice as many or more.
+        // A hundredth of the pixels is enough to see that all of them would take more than twice
+        // the limit. If so, don't even try full size.
         if !is_too_long(&draw(FULL_SIZE / 10, 2 * MAX_OPERATIONS / 100)) {
             let result = draw(FULL_SIZE, MAX_OPERATIONS);
             if !is_too_long(&result) {
@@ -73,10 +74,10 @@ impl<'a> Edit<'a> {
     }
 }
 
-/// Draws a step with a reader's lines in it, and replies with the picture and the names that the
-/// first line may use; or with what is wrong with which line, and from which letter to which. About
-/// a picture in its full size, the reply says whether it is right or a known mistake's. See
-/// [`Edit::parse`] for the words.
+/// Draws a step with the reader's lines in it. Replies with the picture and the names that the
+/// first line may use, or with what is wrong: in which line, and from which byte to which. For a
+/// picture at full size, the reply also says whether it is right or the result of a known mistake.
+/// See [`Edit::parse`] for the format of `words`.
 pub fn edit(words: &str) -> Reply {
     let Some(edit) = Edit::parse(words) else {
         return Reply::default();
@@ -106,7 +107,7 @@ pub fn edit(words: &str) -> Reply {
     }
 }
 
-/// A sentence about a picture that is right, or that a listed mistake in the line gives.
+/// Describes a picture that is right, or that a listed mistake in the edited line would produce.
 fn describe(lines: &[(Place, &str)], picture: &RgbImage) -> Option<String> {
     let (place, _) = lines.first()?;
     let (step, hash) = (place.step_name(), hash_picture(picture));

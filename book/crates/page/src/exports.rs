@@ -1,5 +1,5 @@
-//! The functions that a page calls. The page writes a request, and a file if there is one,
-//! into the module's memory and reads the reply from there; no pointer is dereferenced here.
+//! The functions that a page calls. The page writes a request, and possibly a file, into the
+//! module's memory and reads the reply from there. No pointer is dereferenced on this side.
 
 use crate::reply;
 use figures::Reply;
@@ -10,7 +10,8 @@ thread_local! {
     static REPLY: RefCell<(Reply, [usize; 4])> = RefCell::default();
 }
 
-/// Makes room for this many bytes: of the next request, 0, or of its file, 1.
+/// Makes room for this many bytes, and returns its address. Index 0 is for the next request, and
+/// index 1 for the file that goes with it.
 #[unsafe(no_mangle)]
 extern "C" fn make_room(index: usize, length: usize) -> *mut u8 {
     ROOMS.with_borrow_mut(|rooms| {
@@ -19,8 +20,8 @@ extern "C" fn make_room(index: usize, length: usize) -> *mut u8 {
     })
 }
 
-/// Replies to the request that was written into its room. Returns the address of four numbers: the
-/// address and the length in bytes of the reply's text, then those of its pixels.
+/// Replies to the request in memory. Returns the address of four numbers: the address and the
+/// length in bytes of the reply's text, then of its pixels.
 #[unsafe(no_mangle)]
 extern "C" fn make_reply() -> *const usize {
     let [request, file] = ROOMS.take();

@@ -1,6 +1,6 @@
-//! The modules that the pages of the book call, compiled for the browser.
+//! The WebAssembly modules that the book's pages call.
 //!
-//! `live` draws the figures, `check` looks at the pictures that a reader drops into a page, and
+//! `live` draws the figures, `check` examines a picture that a reader drops onto a page, and
 //! `expressions` draws with the lines that a reader edits. Each is a feature of this package and a
 //! file of its own, because few readers need the second and the third.
 
@@ -11,15 +11,15 @@ mod edit;
 #[cfg(feature = "expressions")]
 pub mod expressions;
 
-// `#[unsafe(no_mangle)]` counts as unsafe code: a name could clash with another.
+// `#[unsafe(no_mangle)]` counts as unsafe code, because the name could clash with another.
 #[allow(unsafe_code)]
 mod exports;
 
 use figures::Reply;
 
-/// Replies to a request. `mistakes` brings the list of mistakes, whose texts no module contains. A
-/// request that begins with `check` or `edit` goes to the function of that name, any other to
-/// [`figures::reply`].
+/// Replies to a request. With `mistakes`, the page provides the list of mistakes, whose texts
+/// aren't compiled into any module. A request that starts with `check` or `edit` goes to the
+/// function of that name, and any other to [`figures::reply`].
 pub fn reply(request: &str, file: &[u8]) -> Reply {
     match request.split_once(' ') {
         None if request == "mistakes" => {

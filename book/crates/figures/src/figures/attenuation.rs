@@ -1,4 +1,4 @@
-//! How the light of a lamp fades with the distance.
+//! How a light fades with distance.
 
 use super::*;
 use glam::dvec2;
@@ -8,7 +8,6 @@ const A: ParameterId = ParameterId::new("a");
 const B: ParameterId = ParameterId::new("b");
 const C: ParameterId = ParameterId::new("c");
 
-/// The drawing, with its title and caption.
 const CONTENT: Content = Content::Drawing {
     title: "Curves of 1 / (a + bd + cd²) over the distance d: constant for a alone, falling slowly with b, fast with c; the curve of the scene's warm light begins above them.",
     caption: "What a light gives at the distance $d$, in units of its $L_d$. With $a$ \
@@ -18,13 +17,13 @@ const CONTENT: Content = Content::Drawing {
     draw,
 };
 
-/// The light at each distance, for an a, b and c that the reader sets.
+/// Curves of brightness over distance, one of them with an a, b and c that the reader can set.
 pub fn figure() -> Figure {
     let Attenuation { a, b, c } = WARM_LIGHT.attenuation;
     let words = "of your curve";
     Figure {
         parameters: vec![
-            // With the smallest a, the light begins at the top of the drawing.
+            // At the smallest a, the curve begins at the top of the drawing.
             Parameter::number(A, words, a, [0.5, 2.0], 20.0).with_symbol("a"),
             Parameter::number(B, words, b, [0.0, 1.0], 100.0).with_symbol("b"),
             Parameter::number(C, words, c, [0.0, 0.5], 200.0).with_symbol("c"),
@@ -67,7 +66,7 @@ fn draw(values: &ParameterValues) -> Drawing {
         let distances = (0..=100).map(|k| f64::from(k) * 0.14);
         drawing.path(class, distances.map(|d| position(d, 1.0 / attenuation.divisor(d))));
     }
-    // The names stand at the ends, from the lowest up, each above the one before.
+    // Each name goes at the end of its curve, or higher if it would overlap the name below.
     curves.sort_by(|(_, a, _), (_, b, _)| b.divisor(14.0).total_cmp(&a.divisor(14.0)));
     let mut y = f64::INFINITY;
     for (class, attenuation, name) in curves {

@@ -1,23 +1,22 @@
-//! The image of a ball at the side of a picture.
+//! What a ball looks like at the side of a picture.
 
 use super::*;
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-/// The angle from the centre of a ball to its outline, in degrees.
+/// The angle, as seen from the eye, between the centre of a ball and its outline, in degrees.
 const HALF_ANGLE: f64 = 8.0;
 
-/// The distance of the balls from the eye; the image plane is at 1.
+/// The distance from the eye to the balls. The image plane is at distance 1.
 const DISTANCE: f64 = 0.7;
 
-/// The map of the picture.
+/// Maps the image plane, seen from the front, to the drawing.
 const PICTURE: View = View { origin: dvec2(116.0, 62.0), scale: DVec2::splat(190.0) };
 
-/// The map of the eye and the balls, seen from above.
+/// Maps the eye and the balls, seen from above, to the drawing.
 const ABOVE: View = View { origin: dvec2(116.0, 332.0), scale: DVec2::splat(190.0) };
 
 const ANGLE: ParameterId = ParameterId::new("angle");
 
-/// The drawing, with its title and caption.
 const CONTENT: Content = Content::Drawing {
     title: "Two equal balls at the same distance from the eye, one straight ahead and one on the right, from above, and over them their picture. The rays that touch the one on the right are cut by the image plane at a slant; in the picture, it is longer than it is wide.",
     caption: "Equal balls at the same distance from the eye. The lower part shows them from above, the upper one their images. \
@@ -27,8 +26,8 @@ const CONTENT: Content = Content::Drawing {
     draw,
 };
 
-/// A ball straight ahead of the eye, an equal one that the reader moves to the side, and their
-/// picture.
+/// A ball straight ahead of the eye, an equal one that the reader can move to the side, and the
+/// picture of both.
 pub fn figure() -> Figure {
     Figure {
         parameters: vec![
@@ -53,28 +52,28 @@ pub fn figure() -> Figure {
     }
 }
 
-/// The position of the centre of a ball that is this many degrees from the axis.
+/// The position, seen from above, of the centre of a ball that is this many degrees off the axis.
 fn centre_from_above(degrees: f64) -> DVec2 {
     ABOVE.to_drawing(DISTANCE * direction_left_of_up(-degrees))
 }
 
-/// The x on the image plane of the rays to a ball's left side, its centre and its right side.
+/// The x at which the rays to a ball's left side, centre and right side cross the image plane.
 fn image_x(degrees: f64) -> [f64; 3] {
     [-HALF_ANGLE, 0.0, HALF_ANGLE].map(|shift| (degrees + shift).to_radians().tan())
 }
 
-/// Half the width and half the height of a ball's image: an ellipse, as the image plane cuts the
-/// cone of the rays that touch the ball.
+/// Half the width and half the height of a ball's image. It is an ellipse, because the image plane
+/// cuts the cone of rays that touch the ball.
 fn image_half_axes(degrees: f64) -> DVec2 {
     let [left, _, right] = image_x(degrees);
     let middle = (left + right) / 2.0;
     let (sin, cos) = degrees.to_radians().sin_cos();
-    // All these rays make the same angle with the axis of the cone.
+    // All rays that touch the ball make the same angle with the axis of the cone.
     let length = (middle * sin + cos) / HALF_ANGLE.to_radians().cos();
     dvec2((right - left) / 2.0, (length * length - middle * middle - 1.0).sqrt())
 }
 
-/// A ball, its image, and the rays that touch it on both sides.
+/// Draws a ball, its image, and the rays that touch it on both sides.
 fn draw_ball(drawing: &mut Drawing, degrees: f64) {
     let radius = DISTANCE * HALF_ANGLE.to_radians().sin();
     drawing.circle("object", centre_from_above(degrees), ABOVE.scale.x * radius);

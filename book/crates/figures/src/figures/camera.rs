@@ -9,7 +9,6 @@ const COLUMNS: ParameterId = ParameterId::new("columns");
 const I: ParameterId = ParameterId::new("i");
 const J: ParameterId = ParameterId::new("j");
 
-/// The drawing, with its title and caption.
 const CONTENT: Content = Content::Drawing {
     title: "A pyramid with its tip at C and the image plane, a grid of 8 by 5 points in pale colours, as its base. The arrow V0 goes from C to the top left point, Du from there one point right, Dv one point down. A ray goes from C through the point i = 5, j = 3.",
     caption: "The pyramid of rays of a camera with {{#number camera:columns}} columns and {{#number camera:rows}} rows, each point in the colour \
@@ -18,8 +17,8 @@ const CONTENT: Content = Content::Drawing {
     draw,
 };
 
-/// The pyramid of rays of a small camera, its picture on the image plane, and the ray of
-/// one of the pixels.
+/// The pyramid of rays of a small camera, its picture on the image plane, and the ray through one
+/// of the pixels.
 pub fn figure() -> Figure {
     let locate = |values: &ParameterValues| {
         let figure = CameraFigure::new(values);
@@ -62,8 +61,8 @@ impl CameraFigure {
         self.camera.ray(self.pixel.x, self.pixel.y)
     }
 
-    /// The position in the drawing of a point of the world: turned about y, tilted, without
-    /// perspective. A wide view is drawn smaller.
+    /// Projects a point in the world to the drawing: turned about y, then tilted, without
+    /// perspective. A wide view is drawn at a smaller scale.
     fn project(&self, point: DVec3) -> DVec2 {
         let turn = DQuat::from_rotation_x(0.3) * DQuat::from_rotation_y(-0.72);
         let scale = (144.35 / -self.camera.matrix.z_axis.x).min(250.0);
@@ -71,7 +70,7 @@ impl CameraFigure {
         view.to_drawing((turn * point).truncate())
     }
 
-    /// The pixel at a position on the image plane.
+    /// The fractional pixel at a position in the drawing, clamped to the picture.
     fn pixel_at(&self, position: DVec2) -> DVec2 {
         let project = |i, j| self.project(self.camera.ray(i, j).at(1.0));
         let first = project(0.0, 0.0);
@@ -79,7 +78,7 @@ impl CameraFigure {
         clamp_to_picture(&self.camera, steps.inverse() * (position - first))
     }
 
-    /// The image plane with a dot for each pixel, and the rays through its corners.
+    /// Draws the image plane with a dot for each pixel, and the rays through its corners.
     fn draw_pyramid(&self, drawing: &mut Drawing) {
         let Self { camera, .. } = self;
         let c = self.project(camera.centre);
@@ -98,7 +97,7 @@ impl CameraFigure {
         }
     }
 
-    /// V_0, D_u and D_v, and the steps that lead to the pixel.
+    /// Draws V_0, D_u and D_v, and the steps that lead to the pixel.
     fn draw_steps(&self, drawing: &mut Drawing) {
         let Camera { centre, matrix, .. } = self.camera;
         let (d_u, d_v, v_0) = (matrix.x_axis, matrix.y_axis, matrix.z_axis);
@@ -118,7 +117,7 @@ impl CameraFigure {
     }
 }
 
-/// The point of the picture that is nearest to `pixel`, in pixels with fractions.
+/// Clamps a position in fractional pixels to the picture.
 fn clamp_to_picture(camera: &Camera, pixel: DVec2) -> DVec2 {
     let last = dvec2(f64::from(camera.h_res), f64::from(camera.v_res)) - 1.0;
     pixel.clamp(DVec2::ZERO, last)

@@ -1,4 +1,4 @@
-//! A world in a plane, in which every ball mirrors.
+//! A two-dimensional world in which every ball is a mirror.
 
 use super::*;
 use course::examples::shadows::{OFFSET, hidden};
@@ -10,7 +10,7 @@ const EYE: PointId = PointId("the eye S");
 const END_OF_V: PointId = PointId("the end of V");
 const LIGHT: PointId = PointId("the light q");
 
-/// The centres of the balls, and their radii.
+/// The balls' centres and radii.
 const BALLS: [(PointId, f64); 4] = [
     (PointId("ball 1"), 1.2),
     (PointId("ball 2"), 0.55),
@@ -18,7 +18,8 @@ const BALLS: [(PointId, f64); 4] = [
     (PointId("ball 4"), 0.9),
 ];
 
-/// What the reader drags, in the order of the handles: its mark and its default position.
+/// What the reader can drag, in the order of the handles: each point with its mark and its default
+/// position.
 const POINTS: [(PointId, Mark, [f64; 2]); 7] = [
     (EYE, Mark::Point, [0.6, 2.6]),
     (END_OF_V, Mark::Point, [1.8, 2.65]),
@@ -29,7 +30,6 @@ const POINTS: [(PointId, Mark, [f64; 2]); 7] = [
     (BALLS[3].0, Mark::Point, [7.2, 2.3]),
 ];
 
-/// The drawing, with its title and caption.
 const CONTENT: Content = Content::Drawing {
     title: "Four balls, an eye S and a light q in a plane. The ray from the eye meets ball 1 at p; ball 2 blocks the way from there to the light. The mirrored ray goes on to ball 3 and from there to ball 4, which is the only one in the light.",
     caption: "A world in a plane, where every ball mirrors: the ray from the eye meets {{#number flat-world:path}}. From each hit, a line leads \
@@ -38,7 +38,7 @@ const CONTENT: Content = Content::Drawing {
     draw,
 };
 
-/// Four balls, an eye and a light in the plane z = 0, and the way of a ray.
+/// Four balls, an eye and a light in the plane z = 0, and the path of a ray.
 pub fn figure() -> Figure {
     let ranges = [[0.4, 9.6], [0.4, 5.6]];
     Figure {
@@ -49,7 +49,7 @@ pub fn figure() -> Figure {
             .map(|(point, mark, _)| Handle { mark, ..Handle::of_point_in_drawing(point, VIEW) })
             .into(),
         readouts,
-        // The eye is outside of the balls, and V long enough to be seen.
+        // The eye must be outside the balls, and V long enough to be seen.
         is_allowed: |values| {
             let FlatWorld { ray: Ray { start, direction }, balls, .. } = FlatWorld::new(values);
             let is_outside = |ball: &Sphere| ball.centre.distance(start) > ball.radius;
@@ -59,17 +59,17 @@ pub fn figure() -> Figure {
     }
 }
 
-/// What is in the plane; the material of a ball is its number.
+/// What is in the plane. A ball's material is its number.
 struct FlatWorld {
     ray: Ray,
     q: DVec3,
     balls: Vec<Object<usize>>,
 }
 
-/// A point that the ray, or one of the mirrored rays, sees.
+/// A point hit by the ray from the eye or by one of its reflections.
 struct LitPoint<'a> {
     point: SurfacePoint<'a, usize>,
-    /// Whether the light reaches it.
+    /// Whether the light reaches the point.
     is_lit: bool,
 }
 
@@ -84,8 +84,8 @@ impl FlatWorld {
         Self { ray, q: point(LIGHT), balls: balls.collect() }
     }
 
-    /// The first three hits of the ray from the eye and the mirrored ones, and the ray that
-    /// meets nothing, if there is one.
+    /// Follows the ray from the eye through at most three hits. Returns the hits, and the last ray
+    /// if it hits nothing.
     fn trace(&self) -> (Vec<LitPoint<'_>>, Option<Ray>) {
         let (mut hits, mut ray) = (vec![], self.ray);
         for _ in 0..3 {
@@ -108,11 +108,11 @@ fn draw(values: &ParameterValues) -> Drawing {
         let is_seen = hits.iter().any(|hit| hit.point.material() == material);
         let class = if is_seen { "object seen" } else { "object" };
         drawing.circle(class, position(sphere.centre), VIEW.scale.x * sphere.radius);
-        // Beside the handle, which is large on a phone.
+        // Next to the handle, which is large on a phone.
         let label = position(sphere.centre) + dvec2(25.0, 5.0);
         drawing.label("over", label, &material.to_string());
     }
-    // A ray that meets nothing leaves the drawing.
+    // A ray that hits nothing is drawn to beyond the edge.
     let end = leaving.map(|ray| ray.start + 20.0 * ray.direction.normalize());
     let corners = hits.iter().map(|hit| hit.point.p).chain(end);
     drawing.path("ray", [world.ray.start].into_iter().chain(corners).map(position));
@@ -137,7 +137,7 @@ fn draw(values: &ParameterValues) -> Drawing {
     drawing
 }
 
-/// The sentence about what the ray meets.
+/// A phrase about what the ray hits.
 fn readouts(values: &ParameterValues) -> Readouts {
     let world = FlatWorld::new(values);
     let (hits, leaving) = world.trace();

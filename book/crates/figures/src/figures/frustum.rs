@@ -1,13 +1,13 @@
-//! The frustum of OpenGL, and what it cuts away.
+//! OpenGL's frustum, and what it cuts away.
 
 use super::*;
 use step01_rays::Camera;
 use step03_nearest::{Ray, Sphere};
 
-/// The map of (depth, height) to the drawing: the camera looks to the right.
+/// Maps (depth, height) to the drawing. The camera looks right.
 const VIEW: View = View { origin: dvec2(26.0, 172.0), scale: DVec2::splat(78.0) };
 
-/// The three balls, near, in the middle and far away.
+/// The three balls: near, in the middle, and far away.
 const BALLS: [Sphere; 3] = [
     Sphere { centre: DVec3::new(0.0, -0.19, -0.85), radius: 0.12 },
     Sphere { centre: DVec3::new(0.0, 0.45, -2.35), radius: 0.33 },
@@ -17,7 +17,6 @@ const BALLS: [Sphere; 3] = [
 const NEAR: ParameterId = ParameterId::new("near plane");
 const FAR: ParameterId = ParameterId::new("far plane");
 
-/// The drawing, with its title and caption.
 const CONTENT: Content = Content::Drawing {
     title: "A view from the side. Rays go from the point C to three balls and meet each of them. The frustum is the part of the view between the near plane and the far plane. One ball is nearer than the near plane and one is beyond the far plane: both are cut away. The ball in between is drawn.",
     caption: "The frustum is the shaded part, and the labels say what OpenGL does with each ball. Our rays start at $C$, \
@@ -25,7 +24,7 @@ const CONTENT: Content = Content::Drawing {
     draw,
 };
 
-/// The frustum of OpenGL from the side, and rays to what it cuts away.
+/// OpenGL's frustum from the side, with rays that reach even what it cuts away.
 pub fn figure() -> Figure {
     let handle = |words, depth: ParameterId| {
         let locate = move |values: &ParameterValues| position(sides()[1].at(values[depth]));
@@ -41,18 +40,18 @@ pub fn figure() -> Figure {
     }
 }
 
-/// The position of a point of the world, seen from the side.
+/// The position of a point in the world, seen from the side.
 fn position(point: DVec3) -> DVec2 {
     VIEW.xy_to_drawing(-point.z, point.y)
 }
 
-/// The rays along the upper and the lower side of the view.
+/// The rays along the top and the bottom of the view.
 fn sides() -> [Ray; 2] {
     let camera = Camera::new(2, 2, 40_f64.to_radians());
     [0.0, 1.0].map(|j| camera.ray(0.5, j))
 }
 
-/// The words for the part of a sphere that is between the planes.
+/// Says how much of a sphere the two planes leave.
 fn part_between(sphere: &Sphere, [near, far]: [f64; 2]) -> &'static str {
     let (depth, radius) = (-sphere.centre.z, sphere.radius);
     if depth + radius <= near || depth - radius >= far {
@@ -72,7 +71,7 @@ fn draw(values: &ParameterValues) -> Drawing {
     for ray in sides {
         drawing.line("guide", position(ray.start), position(ray.at(5.4)));
     }
-    // However near the planes are to each other, their names don't meet.
+    // However close the planes are to each other, their names don't overlap.
     for ([upper, lower], class, name) in
         [(near, "quiet over end", "near plane"), (far, "quiet over start", "far plane")]
     {

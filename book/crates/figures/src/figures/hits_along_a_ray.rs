@@ -1,4 +1,4 @@
-//! The hits of three spheres on one ray.
+//! The points where one ray hits three spheres.
 
 use super::*;
 use std::iter::zip;
@@ -6,14 +6,13 @@ use step03_nearest::{Object, Ray, Sphere, nearest};
 
 const VIEW: View = View { origin: dvec2(150.0, 100.0), scale: dvec2(44.0, 44.0) };
 
-/// The centres of the spheres, and their radii.
+/// The spheres' centres and radii.
 const SPHERES: [(PointId, f64); 3] = [
     (PointId("the centre of sphere 0"), 1.0),
     (PointId("the centre of sphere 1"), 0.7),
     (PointId("the centre of sphere 2"), 0.8),
 ];
 
-/// The drawing, with its title and caption.
 const CONTENT: Content = Content::Drawing {
     title: "A ray from S passes through two spheres in front of it, and its line through a third behind it. The six values of t are marked; the smallest above 0 is the nearest hit.",
     caption: "Every $t$ on one line. Those below 0 lie behind the start. Of the others, the smallest is the hit \
@@ -22,7 +21,7 @@ const CONTENT: Content = Content::Drawing {
     draw,
 };
 
-/// A ray and three spheres that the reader moves, one behind the start.
+/// A ray and three spheres that the reader can move, one of them behind the start.
 pub fn figure() -> Figure {
     let defaults = [[5.3, 0.35], [-1.5, 0.2], [2.4, -0.3]];
     let ranges = [[-1.6, 5.6], [-1.0, 1.0]];
@@ -60,7 +59,7 @@ fn draw(values: &ParameterValues) -> Drawing {
     drawing.dot("eye", position(0.0));
     drawing.label("strong", position(0.0) + dvec2(0.0, -12.0), "$S$");
     for Object { sphere, material: k, .. } in &objects {
-        // A row for each sphere; the two numbers stand apart, however near they are.
+        // One row per sphere. Its two numbers are written outwards, so that they don't overlap.
         let y = 190.0 + 20.0 * *k as f64;
         for (t, anchor) in sphere.intersect(&ray).into_iter().zip(["end", "start"]) {
             let (dot, label) = match nearest_hit {

@@ -4,15 +4,14 @@ use super::*;
 use std::f64::consts::FRAC_PI_2;
 use step04_diffuse::{Attenuation, Matte, PointLight, diffuse};
 
-/// The map whose origin is the point that the light on the right falls on.
+/// Maps the world to the drawing. The origin is the point that the beam on the right falls on.
 const VIEW: View = View { origin: dvec2(352.0, 210.0), scale: DVec2::ONE };
 
-/// The length of a beam.
+/// The length of the beams.
 const LENGTH: f64 = 165.0;
 
 const ANGLE: ParameterId = ParameterId::new("angle");
 
-/// The drawing, with its title and caption.
 const CONTENT: Content = Content::Drawing {
     title: "A beam of light falls on the ground twice: straight down, where it lights a strip as wide as the beam, and at an angle, where the same beam lights a wider strip.",
     caption: "Lambert's cosine law. Both beams are equally wide and carry the same light. With the light at {{#number lambert:angle}}° from the normal, each \
@@ -22,7 +21,7 @@ const CONTENT: Content = Content::Drawing {
     draw,
 };
 
-/// A beam of light that falls straight down, and one whose angle the reader sets.
+/// A beam of light that falls straight down, and one whose angle the reader can set.
 pub fn figure() -> Figure {
     let angle = Parameter::number(ANGLE, "angle of the light", 60.0, [0.0, 100.0], 1.0)
         .with_symbol("α")
@@ -53,14 +52,14 @@ fn draw_beam(drawing: &mut Drawing, ground: DVec2, degrees: f64) {
     let l = direction_left_of_up(degrees);
     let to_light = dvec2(l.x, -l.y);
     let share = brightness(l);
-    // At 90°, the cosine is a little above 0.
+    // At 90°, rounding leaves the cosine slightly above 0.
     let is_lit = share >= 0.0005;
-    // The beam has one width; the strip it lights is wider by 1 / cos.
+    // Half the width of the lit strip, which is the width of the beam divided by the cosine.
     let half = 26.0 / l.y;
-    // A beam that is nearly level lights more ground than is drawn.
+    // A beam at a grazing angle lights more ground than is drawn, so we cut it off there.
     let edge = (92.0 / half.abs()).min(1.0);
     let foot = |k: f64| ground + dvec2(k * half, 0.0);
-    // Across the beam, at a right angle to it.
+    // At a right angle to the beam.
     let across = to_light.perp();
     let start = |k: f64| ground + LENGTH * to_light + 26.0 * k * across;
     drawing.area("beam", [foot(-edge), foot(edge), start(edge), start(-edge)]);
@@ -80,7 +79,7 @@ fn draw_beam(drawing: &mut Drawing, ground: DVec2, degrees: f64) {
     }
     let is_strip = is_lit && edge == 1.0;
     if is_strip {
-        // The triangle whose leg is the beam's width and whose hypotenuse is the strip.
+        // A right triangle with the width of the beam as a leg and the strip as its hypotenuse.
         let corner = foot(-1.0);
         let end = corner + 52.0 * across;
         drawing.line("vector", corner, end);
@@ -105,7 +104,7 @@ fn draw_beam(drawing: &mut Drawing, ground: DVec2, degrees: f64) {
     drawing.label("quiet", ground + dvec2(0.0, 80.0), &label);
 }
 
-/// The step's diffuse term of a white light in the direction `l`; n is up.
+/// The step's diffuse term for a white light in the direction `l`. n points up.
 fn brightness(l: DVec2) -> f64 {
     let attenuation = Attenuation { a: 1.0, b: 0.0, c: 0.0 };
     let light = PointLight { position: l.extend(0.0), diffuse: DVec3::ONE, attenuation };

@@ -8,7 +8,6 @@ const VIEW: View = View { origin: dvec2(176.0, 258.0), scale: dvec2(222.0, 222.0
 const EXPONENT: ParameterId = ParameterId::new("exponent");
 const ANGLE: ParameterId = ParameterId::new("angle");
 
-/// The drawing, with its title and caption.
 const CONTENT: Content = Content::Drawing {
     title: "Lobes around the reflection vector r: for the exponents 1, 10, 40 and 150, they get narrower and narrower, and all have the same length along r.",
     caption: "The highlight $\\max(r \\cdot v, 0)^n$, drawn as a shape, a *lobe*: the brighter it is in a direction $v$, \
@@ -18,7 +17,7 @@ const CONTENT: Content = Content::Drawing {
     draw,
 };
 
-/// The lobes of several exponents, one of which the reader sets, and the light.
+/// The light, and the lobes for several exponents, one of which the reader can set.
 pub fn figure() -> Figure {
     Figure {
         parameters: vec![
@@ -33,7 +32,7 @@ pub fn figure() -> Figure {
 
 fn draw(values: &ParameterValues) -> Drawing {
     let reader_n = values[EXPONENT] as i32;
-    // It is right of n by the angle of the light.
+    // r is as far to the right of n as the light is to the left.
     let r = DVec2::from_angle((90.0 - values[ANGLE]).to_radians());
     let mut drawing = Drawing::new(300.0);
     drawing.line("plane", dvec2(30.0, 258.0), dvec2(450.0, 258.0));
@@ -53,7 +52,7 @@ fn draw(values: &ParameterValues) -> Drawing {
     }
     let labels = [(1, 0.12, 226.0), (10, 0.44, 190.0), (40, 0.6, 154.0), (reader_n, 0.7, 118.0)];
     for (n, angle, y) in labels {
-        // The leader ends beside r, on the side of the labels, and above the ground.
+        // The leader ends on the lobe, to the right of r and above the ground.
         let v = DVec2::from_angle((r.to_angle() - FRAC_PI_4 + angle).max(0.0));
         let label = dvec2(418.0, y);
         drawing.line("axis", on_lobe(n, v), label - dvec2(5.0, 5.0));

@@ -1,5 +1,5 @@
-//! The drawings. Each is drawn by the steps' own functions, if they have one for it. All files
-//! begin with what is imported here.
+//! The drawings, which call the steps' own functions wherever there is one. Each file starts by
+//! importing everything that is imported here.
 
 pub mod attenuation;
 pub mod ball_outlines;

@@ -4,12 +4,11 @@ use super::*;
 use std::f64::consts::FRAC_PI_2;
 use step05_phong::reflect;
 
-/// The position of the hit in the drawing, and the length of 1.
+/// Maps the plane of the vectors to the drawing. The origin is the hit.
 const VIEW: View = View { origin: dvec2(240.0, 240.0), scale: DVec2::splat(190.0) };
 
 const ANGLE: ParameterId = ParameterId::new("angle");
 
-/// The drawing, with its title and caption.
 const CONTENT: Content = Content::Drawing {
     title: "A point on a sphere with four unit vectors: n straight up out of the surface, l to the light on the left, r its mirror image on the right, and v to the eye, between n and r.",
     caption: "The four vectors, each one unit long. $l$ and $r$ make the same angle with $n$, {{#number phong-vectors:angle}}°. \
@@ -17,7 +16,7 @@ const CONTENT: Content = Content::Drawing {
     draw,
 };
 
-/// The unit vectors n, l, r and v in one plane, with a light to turn.
+/// The unit vectors n, l, r and v in one plane, with a light that the reader can turn.
 pub fn figure() -> Figure {
     let angle = Parameter::number(ANGLE, "angle of the light", 30.0, [0.0, 110.0], 1.0)
         .with_symbol("α")

@@ -3,7 +3,6 @@
 use super::*;
 use step01_rays::Ray;
 
-/// The drawing, with its title and caption.
 const CONTENT: Content = Content::Drawing {
     title: "A pinhole camera from the side. Rays go from the pinhole C to the top and the bottom of an upright arrow in the scene. They cross an image plane in front of C, where the arrow is upright and smaller, and continued backwards they meet the image behind C, where it is upside down.",
     caption: "Two rays to the ends of an arrow. Their lines, extended behind the pinhole, draw an image that's upside down. \
@@ -11,7 +10,7 @@ const CONTENT: Content = Content::Drawing {
     draw,
 };
 
-/// A pinhole camera from the side: the image behind the pinhole, and the one in front.
+/// A pinhole camera from the side, with the image behind the pinhole and the one in front of it.
 pub fn figure() -> Figure {
     Figure { ..Figure::new("pinhole", CONTENT) }
 }

@@ -1,4 +1,4 @@
-//! A ray, and the points at several t on it.
+//! A ray, with points at several t.
 
 use super::*;
 use step01_rays::Ray;
@@ -6,16 +6,15 @@ use step01_rays::Ray;
 const SIZE: DVec2 = dvec2(480.0, 250.0);
 const VIEW: View = View { origin: dvec2(104.0, 170.0), scale: dvec2(40.0, 40.0) };
 
-/// The way from the ray to V beside it, in the drawing.
+/// The offset in the drawing from the ray to V, which is drawn beside it.
 const BESIDE: DVec2 = dvec2(-6.0, -14.0);
 
 const START: PointId = PointId("the start S");
 
-/// V as its two numbers, which the handle at its tip sets.
+/// The two components of V, set by the handle at its tip.
 const V: PointId = PointId("the tip of V");
 const DISTANCE: ParameterId = ParameterId::new("distance");
 
-/// The drawing, with its title and caption.
 const CONTENT: Content = Content::Drawing {
     title: "A ray that starts at S and goes along V, with the points at t = 0, 1, 2 and 3 on it, and one at t = -0.5 behind its start.",
     caption: "Each step of $t$ by 1 is one $V$ further from $S$. Where $t$ is negative, the point is behind the start, and not on the ray. \
@@ -24,8 +23,8 @@ const CONTENT: Content = Content::Drawing {
     draw,
 };
 
-/// A ray in the plane z = 0 with the points at several t, and a point that keeps its distance
-/// from S when V is made longer.
+/// A ray in the plane z = 0 with points at several t, and another point that stays at the same
+/// distance from S when V gets longer.
 pub fn figure() -> Figure {
     let start = Parameter::point(START, [0.0, 0.0], [[-2.0, 7.0], [-0.5, 2.5]], 10.0);
     let v = Parameter::point(V, [2.4, 0.7], [[-4.0, 7.0], [-4.0, 4.0]], 10.0);
@@ -55,18 +54,18 @@ pub fn figure() -> Figure {
     }
 }
 
-/// The ray, and the t of the point.
+/// The ray, and the t of the point at the distance that is set.
 fn ray_and_t(values: &ParameterValues) -> (Ray, f64) {
     let [start, direction] = [START, V].map(|point| values.point(point).extend(0.0));
     (Ray { start, direction }, values[DISTANCE] / direction.length())
 }
 
-/// The position of r(t) in the drawing.
+/// The position in the drawing of r(t).
 fn position(values: &ParameterValues, t: f64) -> DVec2 {
     VIEW.to_drawing(ray_and_t(values).0.at(t).truncate())
 }
 
-/// The position of the tip of V.
+/// The position in the drawing of V's tip.
 fn tip(values: &ParameterValues) -> DVec2 {
     position(values, 1.0) + BESIDE
 }
@@ -86,7 +85,7 @@ fn draw(values: &ParameterValues) -> Drawing {
     drawing.arrow("vector", s + BESIDE, tip(values));
     drawing.label("strong over", position(0.5) + BESIDE + dvec2(-6.0, -10.0), "$V$");
     drawing.label("strong over", s + dvec2(-18.0, -12.0), "$S$");
-    // Below a ray that rises, and above one that falls.
+    // Below a ray that rises to the right, above one that falls.
     let shift = dvec2(8.0, if v.x * v.y <= 0.0 { 28.0 } else { -18.0 });
     for t in (-1..10).map(|k| f64::from(k).max(-0.5)) {
         let label = position(t) + shift;

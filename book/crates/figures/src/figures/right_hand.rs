@@ -1,9 +1,8 @@
-//! The axes of the world, and the way a camera looks.
+//! The axes of the world, and the direction in which a camera looks.
 
 use super::*;
 use step01_rays::Camera;
 
-/// The drawing, with its title and caption.
 const CONTENT: Content = Content::Drawing {
     title: "Three axes from the point C: x to the right, y up, and z to the lower left, towards you. A dotted line goes from C the other way, along -z, away from you.",
     caption: "Your right hand, palm towards you: thumb right, index finger up, middle finger bent towards you. \
@@ -11,14 +10,14 @@ const CONTENT: Content = Content::Drawing {
     draw,
 };
 
-/// The three axes from the front, and the way a camera looks.
+/// The three axes from the front, and the direction in which a camera looks.
 pub fn figure() -> Figure {
     Figure { ..Figure::new("right-hand", CONTENT) }
 }
 
 fn draw(_: &ParameterValues) -> Drawing {
     let view = View { origin: dvec2(180.0, 122.0), scale: DVec2::splat(92.0) };
-    // The z axis, towards the reader, runs to the lower left.
+    // The z axis points towards the reader, and is drawn to the lower left.
     let project = |p: DVec3| view.to_drawing(p.truncate() + p.z * dvec2(-0.55, -0.42));
     let c = view.origin;
     let mut drawing = Drawing::new(208.0);

@@ -3,15 +3,14 @@
 use super::*;
 use step05_phong::reflect;
 
-/// The position of the point on the rim in the drawing, and the length of 1.
+/// Maps the plane of the vectors to the drawing. The origin is the point on the rim.
 const VIEW: View = View { origin: dvec2(240.0, 116.0), scale: DVec2::splat(160.0) };
 
-/// The radius of the ball in the drawing.
+/// The ball's radius in the drawing.
 const RADIUS: f64 = 640.0;
 
 const ANGLE: ParameterId = ParameterId::new("angle");
 
-/// The drawing, with its title and caption.
 const CONTENT: Content = Content::Drawing {
     title: "The top of a ball. The lamp is far away on the left, a little lower than a point near the top, and the eye is far away on the right. At that point, l leads left and down into the ball, and its mirror image r leads right and down into the ball, not far from v, which leads right to the eye.",
     caption: "The rim, from the side. The lamp is behind the surface: $n \\cdot l =$ {{#number rim:nl}}. \
@@ -20,7 +19,7 @@ const CONTENT: Content = Content::Drawing {
     draw,
 };
 
-/// A point near the rim of a ball, with a lamp to turn on the far side.
+/// A point near the rim of a ball, and a lamp on the far side that the reader can turn.
 pub fn figure() -> Figure {
     let angle =
         Parameter::number(ANGLE, "angle of the lamp", 96.0, [40.0, 125.0], 1.0).with_unit("°");
@@ -36,7 +35,7 @@ pub fn figure() -> Figure {
     }
 }
 
-/// The unit vectors n, l, r and v. The point is a little on the side of the eye.
+/// The unit vectors n, l, r and v. n leans a little towards the eye.
 fn vectors(values: &ParameterValues) -> [DVec3; 4] {
     let [n, l, v] =
         [-8.0, values[ANGLE], -90.0].map(|angle| direction_left_of_up(angle).extend(0.0));

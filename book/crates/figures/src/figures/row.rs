@@ -11,7 +11,6 @@ const RAYS: ParameterId = ParameterId::new("rays");
 const FIELD_OF_VIEW: ParameterId = ParameterId::new("field of view");
 const DIVIDES_BY_RAYS: ParameterId = ParameterId::new("divide by hRes");
 
-/// The drawing, with its title and caption.
 const CONTENT: Content = Content::Drawing {
     title: "Seven rays fan out from the point C through a line at distance 1. An arrow V0 goes from C to the leftmost point on the line, and two arrows D step along the line from there, each to the next point.",
     caption: "Follow $V_0$ to the first pixel; from there, every step $D$ leads to the next ray. \
@@ -50,7 +49,7 @@ fn row(values: &ParameterValues) -> Row {
     row
 }
 
-/// The map to the drawing; a wide row is drawn smaller.
+/// Maps the plane to the drawing. A wide row is drawn at a smaller scale.
 fn view(row: &Row) -> View {
     let tan = -row.direction(0.0).x;
     View { origin: ORIGIN, scale: DVec2::splat(205.0 * (0.84 / tan).min(1.0)) }
@@ -87,7 +86,7 @@ fn draw(values: &ParameterValues) -> Drawing {
     drawing.label("accent over", (tips[0] + tips[1]) / 2.0 + dvec2(0.0, -10.0), "$D$");
     drawing.dot("eye", c);
     drawing.label("strong", c + dvec2(0.0, 26.0), "$C$");
-    // The triangle of half the field of view.
+    // A right triangle with half the field of view as its angle at C.
     let corner = view.xy_to_drawing(tan, 0.0);
     drawing.path("guide", [c, corner, view.xy_to_drawing(tan, 1.0)]);
     drawing.label("quiet start", view.xy_to_drawing(tan, 0.5) + dvec2(10.0, 5.0), "1");

@@ -1,4 +1,4 @@
-//! The scene from above, beside the picture of step 3.
+//! The scene of step 3 from above, next to its picture.
 
 use super::*;
 use crate::pictures::step03;
@@ -6,16 +6,15 @@ use crate::probe::probe_ray;
 use std::f64::consts::TAU;
 use step03_nearest::{OBJECTS, Object, Ray, Sphere, nearest};
 
-/// The map with x to the right and t upwards: the depth, as V_z is −1.
+/// Maps x to the right and t upwards. Since V_z is −1, t is the depth.
 const VIEW: View = View { origin: dvec2(240.0, 236.0), scale: DVec2::splat(17.0) };
 
-/// The length of a line to the left and to the right.
+/// How far the lines of equal t extend to the left and to the right.
 const SIDE: f64 = 13.0;
 
-/// The smallest and the largest t that is drawn.
+/// The smallest and the largest t in the drawing.
 const T_RANGE: [f64; 2] = [-5.4, 13.2];
 
-/// The drawing, with its title and caption.
 const CONTENT: Content = Content::Drawing {
     title: "The scene of step 3 from above: the eye, the ray of a pixel, and what the plane of its row cuts out of each sphere; the roots are marked on the ray.",
     caption: "The scene from above, cut along row {{#number step03_nearest:j}}, with the ray of this pixel and \
@@ -23,8 +22,8 @@ const CONTENT: Content = Content::Drawing {
     draw,
 };
 
-/// The scene from above, cut along the row of a pixel, and the ray of that pixel with every
-/// root on its line.
+/// The scene from above, cut along the row of a pixel, with the ray of that pixel and every root on
+/// its line.
 pub fn figure() -> Figure {
     Figure {
         followed: Some("step03_nearest"),
@@ -33,7 +32,8 @@ pub fn figure() -> Figure {
     }
 }
 
-/// The circle that the plane through the row of `ray` cuts out of a sphere.
+/// The outline of what the plane through the row of `ray` cuts out of a sphere. Returns None if the
+/// plane misses the sphere.
 fn cut_outline(sphere: &Sphere, ray: &Ray) -> Option<Vec<DVec2>> {
     let ahead = ray.direction.with_x(0.0);
     let along = ahead.normalize();
@@ -58,7 +58,7 @@ fn draw(values: &ParameterValues) -> Drawing {
         drawing.line("grid", left, right);
         drawing.label("quiet start", left + dvec2(0.0, -5.0), &format!("$t$ = {t}"));
     }
-    // The ground, the largest, lies below the others.
+    // Largest first, so that the ground lies beneath the others.
     let mut objects = OBJECTS;
     objects.sort_by(|a, b| b.sphere.radius.total_cmp(&a.sphere.radius));
     for Object { name, sphere, .. } in &objects {

@@ -1,21 +1,20 @@
-//! The three cases of a quadratic: a ray misses a circle, touches it or crosses it.
+//! The three cases of the quadratic: a ray misses a circle, touches it or crosses it.
 
 use super::*;
 use step02_sphere::{Ray, Sphere};
 
 const SPHERE: Sphere = Sphere { centre: DVec3::ZERO, radius: 1.0 };
 
-/// The starts of the rays, from left to right, and the y of each by default.
+/// The rays' starting points, from left to right, each with its default y.
 const STARTS: [(PointId, f64); 3] = [
     (PointId("the start of the left ray"), 1.375),
     (PointId("the start of the middle ray"), 1.0),
     (PointId("the start of the right ray"), 0.4375),
 ];
 
-/// The x from which and to which a ray is drawn.
+/// The x where the drawing of a ray begins and ends.
 const X_RANGE: [f64; 2] = [-2.125, 2.125];
 
-/// The drawing, with its title and caption.
 const CONTENT: Content = Content::Drawing {
     title: "Three rays and a circle, each above the parabola at² + bt + c. Left: the ray misses and the parabola stays above the axis. Middle: the ray touches and the parabola touches the axis once. Right: the ray crosses and the parabola cuts the axis twice.",
     caption: "The three cases. Where the curve $at^2 + bt + c$ is 0, the line of the ray meets the circle, at the \
@@ -24,7 +23,7 @@ const CONTENT: Content = Content::Drawing {
     draw,
 };
 
-/// Three rays and a circle, each above its parabola at² + bt + c.
+/// Three rays, each with a circle, above the parabola at² + bt + c that belongs to it.
 pub fn figure() -> Figure {
     let ranges = [[-2.25, 1.5], [-1.5, 1.5]];
     let handles = STARTS.iter().enumerate();
@@ -39,7 +38,7 @@ pub fn figure() -> Figure {
     }
 }
 
-/// The map of a case's ray and circle.
+/// Maps the ray and the circle of a case to the drawing.
 fn circle_view(case: usize) -> View {
     let x = 80.0 + 160.0 * case as f64;
     View { origin: dvec2(x, 112.0), scale: DVec2::splat(33.0) }
@@ -57,7 +56,7 @@ fn draw(values: &ParameterValues) -> Drawing {
 
 fn draw_case(drawing: &mut Drawing, ray: &Ray, circle_view: View) {
     let x = circle_view.origin.x;
-    // The parabola is straight below the ray: t = 0 is below the start.
+    // The parabola is straight below the ray, with t = 0 below the start.
     let origin = dvec2(x + 33.0 * ray.start.x, 262.0);
     let parabola_view = View { origin, scale: dvec2(33.0, 16.0) };
     let [first, last] = X_RANGE.map(|end| end - ray.start.x);

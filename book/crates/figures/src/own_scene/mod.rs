@@ -1,4 +1,5 @@
-//! A scene of the reader's own: the picture of step 5 with everything in it to set, and its Rust.
+//! A scene of the reader's own: the picture of step 5 with everything in it adjustable, and the
+//! Rust program that draws it.
 
 mod parameters;
 
@@ -7,7 +8,7 @@ use course::{CHANNELS, COORDINATES, Owner, format_scene_program};
 use parameters::{PARAMETERS, Target, complete_scene, own_scene};
 use step05_phong::nearest;
 
-/// The picture of the scene.
+/// The picture of the reader's scene.
 pub fn figure() -> Figure {
     let handles = PARAMETERS.iter().filter_map(|(target, presence)| match *target {
         Target::Presence(owner, k) => Some(handle(owner, k, presence.id)),
@@ -35,8 +36,8 @@ pub fn figure() -> Figure {
     }
 }
 
-/// The handle of the sphere or the light of index `k`, which is there while the switch `presence`
-/// is on.
+/// The handle of the sphere or light with index `k`. It exists only while the switch `presence` is
+/// on.
 fn handle(owner: Owner, k: usize, presence: ParameterId) -> Handle {
     let camera_and_point = move |values: &ParameterValues| {
         values.is_on(presence).then(|| {
@@ -58,7 +59,7 @@ fn handle(owner: Owner, k: usize, presence: ParameterId) -> Handle {
     }
 }
 
-/// The objects that have a colour, and the parameters of its channels.
+/// The objects that have a colour, with the parameters for its channels.
 fn colours() -> Vec<(&'static str, [ParameterId; 3])> {
     let ids: Vec<_> = PARAMETERS.iter().map(|(_, parameter)| parameter.id).collect();
     let mut objects: Vec<_> = ids.iter().filter_map(|id| id.object()).collect();

@@ -1,6 +1,6 @@
-//! The parameters of the reader's own scene: the numbers of the camera, of the ambient light, of
-//! the spheres and of the lights, and the switches among them. By default, three spheres and a
-//! light are switched off, and so are shadows and mirrors.
+//! The parameters of the reader's own scene: the numbers of the camera, the ambient light, the
+//! spheres and the lights, and the switches. By default, three spheres and one light are off, and
+//! so are shadows and mirrors.
 
 use crate::{Axis, Parameter, ParameterId, ParameterValues};
 use course::examples::mirror::mirrors;
@@ -16,13 +16,13 @@ const MIRRORS: ParameterId = ParameterId::of("the way back", "shadows and mirror
 pub enum Target {
     /// Whether there are shadows and mirrors.
     Mirrors,
-    /// Whether the scene has the object or light of this index.
+    /// Whether the scene has the object or light with this index.
     Presence(Owner, usize),
-    /// A number of the owner of this index.
+    /// A number of the owner with this index.
     Scalar(&'static Scalar, usize),
 }
 
-/// All parameters, and what each sets.
+/// All parameters, each with what it sets.
 pub static PARAMETERS: LazyLock<Vec<(Target, Parameter)>> = LazyLock::new(|| {
     let own = largest_scene();
     let mut parameters = vec![];
@@ -43,7 +43,7 @@ pub static PARAMETERS: LazyLock<Vec<(Target, Parameter)>> = LazyLock::new(|| {
     parameters
 });
 
-/// The parameters for the numbers of the owner of index `k`, which is called `name`.
+/// The parameters for the numbers of the owner called `name`, which has index `k`.
 fn scalars(
     own: &OwnScene,
     owner: Owner,
@@ -69,10 +69,10 @@ fn scalars(
     })
 }
 
-/// The scene of these values, without what is switched off.
+/// The scene at these values, without whatever is switched off.
 pub fn own_scene(values: &ParameterValues) -> OwnScene {
     let mut own = complete_scene(values);
-    // From the last, so that the others keep their indices.
+    // From last to first, so that the remaining indices stay valid.
     for (target, parameter) in PARAMETERS.iter().rev() {
         match *target {
             Target::Presence(owner, k) if !values.is_on(parameter.id) => {
@@ -89,7 +89,7 @@ pub fn own_scene(values: &ParameterValues) -> OwnScene {
     own
 }
 
-/// The scene of these values, with what is switched off.
+/// The scene at these values, including whatever is switched off.
 pub fn complete_scene(values: &ParameterValues) -> OwnScene {
     let mut own = largest_scene();
     own.has_mirrors = values.is_on(MIRRORS);
@@ -101,7 +101,7 @@ pub fn complete_scene(values: &ParameterValues) -> OwnScene {
     own
 }
 
-/// The scene of step 5 with all that can be switched on.
+/// The scene of step 5 with everything that can be switched on.
 fn largest_scene() -> OwnScene {
     let mut scene = scene();
     scene.objects.extend([

@@ -1,4 +1,4 @@
-//! The picture of the example `mirror`, and the way of a pixel's ray from mirror to mirror.
+//! The picture of the example `mirror`, and the path of a pixel's ray from mirror to mirror.
 
 use super::pixel_trace::describe_hit;
 use super::step05::object_parameter;
@@ -14,22 +14,22 @@ use step05_phong::{Light, Ray, Scene, reflect, rgb8, visible_point};
 const DEPTH: ParameterId = ParameterId::new("depth");
 const OFFSET: ParameterId = ParameterId::new("offset");
 
-/// The k of an object.
+/// The parameter for an object's k.
 fn k_parameter(object: &'static str) -> ParameterId {
     ParameterId::of(object, "k")
 }
 
-/// The offsets, written as in the listing.
+/// The offsets, written as in the book's listing.
 const OFFSETS: &[&str] = &[
     "0", "1e-16", "1e-15", "1e-14", "1e-13", "1e-12", "1e-11", "1e-10", "1e-9", "1e-8", "1e-7",
     "1e-6", "1e-5", "1e-4", "1e-3", "1e-2", "1e-1", "1",
 ];
 
-/// The largest depth, that of the example.
+/// The maximum depth, which is the example's.
 const MAX_DEPTH: u32 = 10;
 
-/// The picture of the example `mirror`: a probe, the depth and the offset, and the k of
-/// the object at the probe to set.
+/// The picture of the example `mirror`, with a probe. The depth and the offset can be set, and so
+/// can the k of the object at the probe.
 pub fn figure() -> Figure {
     let depth = f64::from(MAX_DEPTH);
     let depth = Parameter::number(DEPTH, "depth", depth, [0.0, depth], 1.0);
@@ -65,12 +65,12 @@ impl Mirrors {
         Self { depth: values[DEPTH] as u32, offset, scene }
     }
 
-    /// The colour that `ray` sees by way of at most `depth` mirrors.
+    /// The colour that `ray` sees after at most `depth` reflections.
     fn colour(&self, ray: &Ray, depth: u32) -> DVec3 {
         colour(&self.scene, ray, depth, self.offset)
     }
 
-    /// The object, t, k and I of what `ray` meets, and the mirrored ray if it is followed.
+    /// The table row for what `ray` hits (object, t, k, I), and the reflected ray if we trace it.
     fn trace_hit(&self, ray: &Ray, depth: u32) -> ([String; 4], Option<Ray>) {
         let objects = &self.scene.objects;
         let intensity = format_vector(self.colour(ray, depth));
@@ -86,7 +86,7 @@ impl Mirrors {
     }
 }
 
-/// The way of the probe's ray, row by row; the readouts of rows that it doesn't have are empty.
+/// The path of the probe's ray, one row per hit. Unused rows have empty readouts.
 fn readouts(values: &ParameterValues) -> Readouts {
     let mirrors = Mirrors::new(values);
     let ray = probe_ray(values);

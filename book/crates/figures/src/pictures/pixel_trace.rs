@@ -1,4 +1,4 @@
-//! The trace of a pixel: every number on the way from its ray to its three bytes.
+//! The trace of a pixel: every number from its ray to its three bytes.
 
 use crate::probe::{I, J, probe_ray};
 use crate::{
@@ -11,13 +11,13 @@ use step05_phong::{
     Hit, Light, Material, Object, Scene, light_terms, nearest, phong, reflect, visible_point,
 };
 
-/// b² − 4ac of a ray and a sphere.
+/// The discriminant b² − 4ac for a ray and a sphere.
 pub fn discriminant(sphere: &Sphere, ray: &Ray) -> f64 {
     let (a, b, c) = sphere.coefficients(ray);
     b * b - 4.0 * a * c
 }
 
-/// What a ray meets first: an object and its t, or the sky.
+/// Describes what a ray hits first: an object and its t, or the sky.
 pub fn describe_hit<M>(objects: &[Object<M>], ray: &Ray) -> String {
     match nearest(objects, ray) {
         Some(Hit { object, t }) => {
@@ -27,7 +27,7 @@ pub fn describe_hit<M>(objects: &[Object<M>], ray: &Ray) -> String {
     }
 }
 
-/// The trace of the probe's pixel, except for what is between the point and the colour.
+/// The trace of the probe's pixel without its shading, for which see [`trace_shading`].
 pub fn trace_pixel<M>(
     values: &ParameterValues,
     objects: &[Object<M>],
@@ -58,7 +58,7 @@ pub fn trace_pixel<M>(
         ];
         readouts.extend(row.map(|(name, text)| (format!("{name}{k}"), text)));
     }
-    // A ray has either a nearest hit or a colour of the sky; the other is empty.
+    // A ray has either a nearest hit or a sky colour. The readouts for the other are empty.
     let [object, t, p, sky] = match nearest(objects, &ray) {
         Some(Hit { object, t }) => {
             [short_name(object.name).into(), format_number(t), format_vector(ray.at(t)), "".into()]
@@ -69,8 +69,8 @@ pub fn trace_pixel<M>(
     readouts
 }
 
-/// The numbers from the point at the probe to the terms, and those of each light; empty for the
-/// sky.
+/// The shading at the probe: the numbers of the point and its terms, then those for each light.
+/// Empty if the probe is on the sky.
 pub fn trace_shading(values: &ParameterValues, scene: &Scene<Material, Light>) -> Readouts {
     let ray = &probe_ray(values);
     let Some(point) = visible_point(&scene.objects, ray) else { return Readouts::new() };

@@ -1,4 +1,4 @@
-//! The picture of step 1, with its camera to set.
+//! The picture of step 1, with a camera that the reader can set.
 
 use crate::{Content, Figure, Parameter, ParameterId, ParameterValues};
 use step01_rays::{AspectRatio, Camera, direction_colour, render};
@@ -7,7 +7,7 @@ pub const FIELD_OF_VIEW: ParameterId = ParameterId::new("field of view");
 pub const ASPECT_RATIO: ParameterId = ParameterId::new("aspect ratio");
 pub const COLUMNS: ParameterId = ParameterId::new("columns");
 
-/// The lecture's four aspect ratios, and how the control shows them.
+/// The lecture's four aspect ratios, then their names on the control.
 const ASPECT_RATIOS: [AspectRatio; 4] = [
     AspectRatio { width: 4.0, height: 3.0 },
     AspectRatio { width: 16.0, height: 9.0 },
@@ -16,7 +16,7 @@ const ASPECT_RATIOS: [AspectRatio; 4] = [
 ];
 const ASPECT_RATIO_NAMES: &[&str] = &["4:3", "16:9", "2.35:1", "2.59:1"];
 
-/// The picture of step 1, with its camera to set.
+/// The picture of step 1. Its field of view, aspect ratio and number of columns can be set.
 pub fn figure() -> Figure {
     let draw = |values: &ParameterValues, columns: u32| {
         render(&camera(values, columns.min(values[COLUMNS] as u32)), 1, direction_colour)
@@ -33,12 +33,12 @@ pub fn figure() -> Figure {
     }
 }
 
-/// The choice of an aspect ratio; 16:9 is the default.
+/// The choice of an aspect ratio, by default 16:9.
 pub fn aspect_ratio_parameter() -> Parameter {
     Parameter::choice(ASPECT_RATIO, "aspect ratio", 1.0, ASPECT_RATIO_NAMES)
 }
 
-/// The camera with the field of view and the aspect ratio of these values, and this many columns.
+/// The camera with this many columns, and with the field of view and aspect ratio of these values.
 pub fn camera(values: &ParameterValues, columns: u32) -> Camera {
     let v_res = values.choice(ASPECT_RATIO, &ASPECT_RATIOS).v_res(columns);
     Camera::new(columns, v_res, values[FIELD_OF_VIEW].to_radians())

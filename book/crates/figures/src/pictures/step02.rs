@@ -1,4 +1,4 @@
-//! The picture of step 2, with its sphere to set.
+//! The picture of step 2, with a sphere that the reader can change.
 
 use super::pixel_trace::trace_pixel;
 use crate::probe::{draw_picture, probed_picture};
@@ -9,7 +9,7 @@ use step03_nearest::Object;
 const CENTRE: PointId = PointId("the centre of the sphere");
 const RADIUS: ParameterId = ParameterId::new("radius");
 
-/// The picture of step 2: its sphere to drag and to blow up, and a probe.
+/// The picture of step 2, with a probe. The sphere can be dragged and resized.
 pub fn figure() -> Figure {
     let Sphere { centre, radius } = SPHERE;
     let [x, y] = Parameter::point(CENTRE, [centre.x, centre.y], [[-2.8, 2.8], [-1.6, 1.6]], 20.0);

@@ -1,4 +1,4 @@
-//! The picture of step 4, with its lights to move.
+//! The picture of step 4, with lights that the reader can move.
 
 use super::pixel_trace::{trace_pixel, trace_shading};
 use crate::probe::{draw_picture, probed_picture};
@@ -10,12 +10,12 @@ use step05_phong::{Light, Material};
 /// The positions of the lights, in the order of the scene.
 const LIGHTS: [PointId; 2] = [PointId("the warm light"), PointId("the cool light")];
 
-/// The picture of step 4: its lights to move, and a probe.
+/// The picture of step 4, with a probe. The lights can be moved.
 pub fn figure() -> Figure {
     let [warm, cool] = LIGHTS;
     let parameters = [
         position_parameters(warm, WARM_LIGHT.position, [[-8.0, 8.0], [-1.0, 8.0], [-12.0, 2.0]]),
-        // Everywhere in these ranges, it is in the picture.
+        // Throughout these ranges, the light is in the picture.
         position_parameters(cool, COOL_LIGHT.position, [[-6.0, 6.0], [-3.4, 3.4], [-16.0, -11.0]]),
     ];
     let mut figure =
@@ -33,7 +33,7 @@ pub fn figure() -> Figure {
     Figure { readouts, ..figure }
 }
 
-/// The coordinates of a light.
+/// The parameters for a light's coordinates.
 fn position_parameters(light: PointId, position: DVec3, ranges: [[f64; 2]; 3]) -> [Parameter; 3] {
     let words = format!("of {}", light.0);
     let [x, y, z] = ranges;
@@ -48,7 +48,7 @@ fn position_parameters(light: PointId, position: DVec3, ranges: [[f64; 2]; 3]) -
     ]
 }
 
-/// The scene with its lights at these values.
+/// The scene with the lights moved to these values.
 fn moved_scene(values: &ParameterValues) -> Scene<Matte, PointLight> {
     let mut scene = step04_diffuse::scene();
     for (light, position) in scene.lights.iter_mut().zip(LIGHTS) {
@@ -64,7 +64,7 @@ fn readouts(values: &ParameterValues) -> Readouts {
     readouts
 }
 
-/// The scene as one of step 5, without highlights.
+/// Converts the scene to one of step 5, without highlights.
 fn phong_scene(scene: &Scene<Matte, PointLight>) -> Scene<Material, Light> {
     let specular = DVec3::ZERO;
     let objects = scene.objects.iter().map(|object| {

@@ -1,4 +1,4 @@
-//! The picture of step 5, with its terms to switch and its materials to set.
+//! The picture of step 5, with terms to switch off and materials to set.
 
 use super::pixel_trace::{trace_pixel, trace_shading};
 use crate::probe::{draw_picture, probe_ray, probed_picture};
@@ -19,8 +19,8 @@ fn reflectance(object: &'static str) -> ParameterId {
     ParameterId::of(object, "specular reflectance")
 }
 
-/// The picture of step 5: each term to switch off, a probe, and the material of the object there to
-/// set.
+/// The picture of step 5, with a probe. Each term can be switched off, and the material of the
+/// object at the probe can be set.
 pub fn figure() -> Figure {
     let switches = [(AMBIENT, "ambient"), (DIFFUSE, "diffuse"), (SPECULAR, "specular")]
         .map(|(id, term)| Parameter::switch(id, term, true));
@@ -46,7 +46,7 @@ pub fn figure() -> Figure {
     }
 }
 
-/// The scene with the terms and materials of these values.
+/// The scene with the terms and materials set to these values.
 fn changed_scene(values: &ParameterValues) -> Scene<Material, Light> {
     let mut scene = step05_phong::scene();
     scene.ambient_light *= values[AMBIENT];
@@ -68,7 +68,7 @@ fn readouts(values: &ParameterValues) -> Readouts {
     readouts
 }
 
-/// A parameter of an object, which has a control while the probe is on the object.
+/// A parameter of an object. It has a control only while the probe is on the object.
 pub fn object_parameter(
     id: ParameterId,
     object: &str,

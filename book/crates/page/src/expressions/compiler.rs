@@ -1,4 +1,4 @@
-//! Compiles a line, as far as Rust would.
+//! Compiles a line. Whatever Rust would refuse is refused.
 
 use crate::expressions::evaluation::{Expression, Interruption, Run};
 use crate::expressions::functions::{Function, find_function, remainder_operations};
@@ -13,15 +13,16 @@ use std::ops::Range;
 use std::rc::Rc;
 use syn::{BinOp, Expr, ExprBinary};
 
-/// Compiles the syntax of a line, part by part.
+/// Compiles the syntax of a line recursively.
 pub struct Compiler<'a> {
     place: &'a Place,
     pub text: &'a str,
-    /// The names of values: variables of the place, such as `ray.start`, and those of `let`.
+    /// The values that have names: the place's variables, such as `ray.start`, and those bound by
+    /// `let`.
     pub names: Vec<(String, Part)>,
 }
 
-/// Compiles what a reader wrote at a place.
+/// Compiles what the reader wrote at a place.
 pub fn parse_expression(place: &Place, text: &str) -> Result<Expression, Refusal> {
     let syntax = parse_syntax(text)?;
     let mut compiler = Compiler { place, text, names: vec![] };
@@ -42,7 +43,7 @@ pub fn parse_expression(place: &Place, text: &str) -> Result<Expression, Refusal
     })
 }
 
-/// Why a whole line, which is an expression by itself, can't be written at its place.
+/// Explains why a line doesn't fit its place, although it is a valid expression on its own.
 fn find_misfit(place: &Place, text: &str, syntax: &Expr, part: &Part) -> Option<Fault> {
     let has_note = |note| place.notes.contains(&note);
     let is_block = matches!(syntax, Expr::If(_) | Expr::Block(_));
@@ -62,7 +63,7 @@ fn find_misfit(place: &Place, text: &str, syntax: &Expr, part: &Part) -> Option<
 }
 
 impl Compiler<'_> {
-    /// Compiles a part of the line.
+    /// Compiles any part of the line.
     pub fn compile_expression(&mut self, syntax: &Expr) -> Result<Part, Refusal> {
         let name = write_tokens(syntax);
         let part = match self.names.iter().find(|(known, _)| *known == name) {
@@ -72,7 +73,7 @@ impl Compiler<'_> {
         Ok(Part { range: range_of(syntax), ..part })
     }
 
-    /// Compiles syntax that isn't the name of a value.
+    /// Compiles a part that isn't just the name of a value.
     fn compile_unnamed(&mut self, syntax: &Expr) -> Result<Part, Refusal> {
         match syntax {
             Expr::Lit(literal) => return literal_part(&literal.lit),
@@ -99,14 +100,15 @@ impl Compiler<'_> {
         self.compile_call(&(receiver.value_type.name().to_owned() + &name), &parts, sign)
     }
 
-    /// The next slot, of a variable or of `let`, whose value differs from pixel to pixel.
+    /// A part that reads the next free slot: a variable, or a `let` whose value differs from pixel
+    /// to pixel.
     pub fn new_slot(&self, value_type: ValueType, is_open: bool) -> Part {
         let is_slot = |part: &Part| part.constant_value().is_none();
         let slot = self.names.iter().filter(|(_, part)| is_slot(part)).count();
         Part { run: Run::Slot(slot), value_type, is_open, range: 0..0 }
     }
 
-    /// The call of a function, an operator or a cast, whose name is at `sign`.
+    /// Compiles a call to a function, an operator or a cast, whose name is at range `sign`.
     fn compile_call(
         &self,
         name: &str,
@@ -117,7 +119,7 @@ impl Compiler<'_> {
         let Some(function) = find_function(name, &types) else {
             return Err(explain_refused_call(name, sign, parts, self.place, self.text));
         };
-        // Rust refuses to divide by a 0 that it knows, whatever is divided.
+        // Rust refuses to divide by a constant 0, even if the dividend isn't constant.
         let divisor = parts.last().and_then(Part::constant_value);
         if ["/", "%"].contains(&name) && divisor == Some(Value::I32(0)) {
             return refuse(sign, Fault::NoResult);
@@ -137,7 +139,7 @@ impl Compiler<'_> {
     }
 }
 
-/// Evaluates a function of the values that these runs compute.
+/// A run that calls a function with the values of these runs.
 fn call_run(function: &'static Function, runs: &[Run], sign: Range<usize>) -> Run {
     match (function.name, runs) {
         ("&&", [first, second]) => short_circuit(first.clone(), second.clone(), false),
@@ -145,12 +147,13 @@ fn call_run(function: &'static Function, runs: &[Run], sign: Range<usize>) -> Ru
         (_, [a]) => join_runs(function, [a.clone()], sign),
         (_, [a, b]) => join_runs(function, [a.clone(), b.clone()], sign),
         (_, [a, b, c]) => join_runs(function, [a.clone(), b.clone(), c.clone()], sign),
-        // No function takes more.
+        // Unreachable: without parameters it would be a constant, and no function has more than
+        // three.
         _ => join_runs(function, [], sign),
     }
 }
 
-/// The value of the first run if it is `decisive`, or else that of the second.
+/// A run for `&&` or `||`: the value of `first` if it equals `decisive`, or else that of `second`.
 fn short_circuit(first: Run, second: Run, decisive: bool) -> Run {
     Run::Call(Rc::new(move |evaluation| {
         evaluation.spend(1)?;
@@ -159,7 +162,8 @@ fn short_circuit(first: Run, second: Run, decisive: bool) -> Run {
     }))
 }
 
-/// Evaluates a function of this number of values. If it stops, its name at `sign` is to blame.
+/// A run that calls a function with the values of this many runs. If there is no result, the name
+/// at range `sign` is to blame.
 fn join_runs<const N: usize>(
     function: &'static Function,
     runs: [Run; N],
@@ -181,7 +185,7 @@ fn join_runs<const N: usize>(
 mod tests {
     use super::*;
 
-    /// Compiles a line at a place of `value_type`, where `x` is a number and `k` a whole number.
+    /// Compiles a line at a place of type `value_type`, where `x` is an f64 and `k` is an i32.
     fn compile(value_type: ValueType, text: &str) -> Result<Run, Fault> {
         let place = Place {
             index: 0,
@@ -197,7 +201,7 @@ mod tests {
         Ok(expression.run)
     }
 
-    /// The value of a line where x is 0.5 and k is 0; None if the program would stop.
+    /// The value of a line where `x` is 0.5 and `k` is 0, or None if the program would panic.
     fn evaluate(value_type: ValueType, text: &str) -> Option<Value> {
         let mut evaluation = crate::expressions::evaluation::Evaluation::new(1000);
         let run = compile(value_type, text).expect("a line");

@@ -1,4 +1,4 @@
-//! Pictures of the steps with lines of the reader's in them.
+//! Draws the steps' pictures with the reader's lines in them.
 
 use crate::expressions::evaluation::{Evaluation, Expression, Interruption};
 use crate::expressions::refusal::{Fault, Refusal};
@@ -11,7 +11,7 @@ use std::cell::{Cell, RefCell};
 use step01_rays::Camera;
 use thiserror::Error;
 
-/// A line that isn't drawn.
+/// A refusal, with the place of the line that is refused.
 #[derive(Clone, Debug, Error)]
 #[error("{place}: {refusal}")]
 pub struct LineRefusal {
@@ -22,40 +22,40 @@ pub struct LineRefusal {
     pub refusal: Refusal,
 }
 
-/// What the copy of the steps draws with.
+/// The state that the copied steps use while drawing.
 struct Context {
-    /// A bit for the position of each place in places.txt: whether it has a line of the reader's.
-    /// In step 5, a ray asks at more than sixty places. With a list in place of the bits, a picture
-    /// took twice as long on a page.
+    /// A bit for each place, at its index in places.txt: whether the reader has edited it. In step
+    /// 5, a single ray consults more than sixty places. With a list instead of these bits, a
+    /// picture on a page took twice as long.
     edited: Cell<u64>,
     picture: RefCell<EditedPicture>,
 }
 
-/// A picture that is being drawn.
+/// A picture in progress.
 struct EditedPicture {
     /// The reader's lines.
     lines: Vec<Expression>,
     evaluation: Evaluation,
-    /// Why the picture isn't drawn to its end.
+    /// Why drawing stopped early, if it did.
     refusal: Option<LineRefusal>,
 }
 
 thread_local! {
-    /// The context of the picture that this thread draws; if it draws none, all lines are the
-    /// book's. The functions of the steps have no parameter for it, and they are shown in the book,
-    /// so they don't get one. All else is passed.
+    /// The context of the picture that this thread is drawing. If there is none, all lines are the
+    /// book's. It is thread-local because the steps' functions have no parameter for it, and don't
+    /// get one, since the book shows them. Everything else is passed as an argument.
     static CONTEXT: Context = const {
         Context { edited: Cell::new(0), picture: RefCell::new(EditedPicture::new(vec![], 0)) }
     };
 }
 
 impl EditedPicture {
-    /// A picture that may take this many operations.
+    /// A picture that may take at most this many operations.
     const fn new(lines: Vec<Expression>, operations: u64) -> Self {
         Self { lines, evaluation: Evaluation::new(operations), refusal: None }
     }
 
-    /// The value of the line at a place; None once a line is refused.
+    /// Evaluates the reader's line at a place. Returns None once a line has been refused.
     fn evaluate(&mut self, place_index: usize, variables: &[Value]) -> Option<Value> {
         if self.refusal.is_some() {
             return None;
@@ -75,8 +75,8 @@ impl EditedPicture {
     }
 }
 
-/// The value of the reader's line at a place where its variables have these values, or None if the
-/// line is the book's.
+/// Evaluates the reader's line at a place, given the values of its variables. Returns None if the
+/// line there is the book's.
 #[inline(always)]
 pub fn value_of_line<T, const N: usize>(
     place_index: usize,
@@ -91,8 +91,8 @@ where
     Some(evaluate_line(place_index, &variables()))
 }
 
-/// The value of the reader's line at a place, or any value once a line is refused. It isn't
-/// inlined, so the code of a place stays small.
+/// Evaluates the reader's line at a place. Once a line has been refused, the value no longer
+/// matters, so it is a default. This isn't inlined, which keeps the code at each place small.
 #[inline(never)]
 fn evaluate_line<T: Default + TryFrom<Value>>(place_index: usize, variables: &[Value]) -> T {
     let evaluate =
@@ -101,7 +101,7 @@ fn evaluate_line<T: Default + TryFrom<Value>>(place_index: usize, variables: &[V
     value.and_then(|value| T::try_from(value).ok()).unwrap_or_default()
 }
 
-/// Ends the picture where a development build of the reader's program would stop.
+/// Ends the picture if a development build of the reader's program would panic.
 pub fn stop_unless(condition: bool, sentence: &'static str) {
     if condition {
         return;
@@ -117,8 +117,8 @@ pub fn stop_unless(condition: bool, sentence: &'static str) {
     });
 }
 
-/// Draws a picture pixel by pixel until a line is refused. The copy of the steps has it in place of
-/// their function of this name, which uses all processors: the context is that of one thread.
+/// Draws a picture pixel by pixel until a line is refused. In the copied steps, this replaces the
+/// function of the same name, which uses all processors: our context belongs to one thread.
 pub fn draw_pixels(camera: &Camera, pixel: impl Fn(f64, f64) -> Rgb<u8> + Sync) -> RgbImage {
     let mut picture = RgbImage::new(camera.h_res, camera.v_res);
     for (i, j, rgb) in picture.enumerate_pixels_mut() {
@@ -130,8 +130,8 @@ pub fn draw_pixels(camera: &Camera, pixel: impl Fn(f64, f64) -> Rgb<u8> + Sync) 
     picture
 }
 
-/// The picture of a step with expressions in place of the book's, which may take this many
-/// operations in all. Errors outside the expressions are attributed to the first place.
+/// Draws a step with the reader's lines in place of the book's, within this many operations in
+/// total. An error outside the lines is attributed to the first of them.
 pub fn draw_edited(
     lines: &[Expression],
     columns: u32,

@@ -1,24 +1,24 @@
-//! A compiled line, and how it is evaluated.
+//! Compiled lines, and how they are evaluated.
 
 use crate::expressions::value::Value;
 use std::ops::Range;
 use std::rc::Rc;
 
-/// The meaning of a line: a function of the variables of its place.
+/// A compiled line: a function of the variables at its place.
 #[derive(Clone)]
 pub struct Expression {
-    /// The position of its place in places.txt.
+    /// The index of its place in places.txt.
     pub(super) place_index: usize,
     pub(super) place_name: &'static str,
     pub(super) step_name: &'static str,
-    /// The bytes of the line.
+    /// The length of the line, in bytes.
     pub(super) length: usize,
     pub(super) run: Run,
 }
 
 impl Expression {
-    /// Computes the value of the line where its variables have these values. None if the reader's
-    /// program would stop.
+    /// Computes the line's value from those of its variables. Returns None if the reader's program
+    /// would panic.
     pub fn evaluate(&self, variables: &[Value]) -> Option<Value> {
         Evaluation::new(u64::MAX).evaluate(&self.run, variables).ok()
     }
@@ -27,19 +27,18 @@ impl Expression {
 /// How to compute the value of a part of a line.
 #[derive(Clone)]
 pub enum Run {
-    /// The value is the same at each pixel.
+    /// The value is the same for every pixel.
     Constant(Value),
-    /// The value is in this slot.
+    /// The value is read from this slot.
     Slot(usize),
     /// The value is computed.
     Call(Rc<Call>),
 }
 
-/// Computes the value of an operation.
+/// A closure that computes the value of an operation.
 pub type Call = dyn Fn(&mut Evaluation) -> Result<Value, Interruption>;
 
 impl Run {
-    /// Computes the value.
     #[inline]
     pub fn evaluate(&self, evaluation: &mut Evaluation) -> Result<Value, Interruption> {
         match self {
@@ -50,30 +49,30 @@ impl Run {
     }
 }
 
-/// Why a picture isn't drawn to its end.
+/// Why a line couldn't be evaluated.
 #[derive(Clone, Debug)]
 pub enum Interruption {
-    /// The reader's program would stop at this part of the line: there is no result.
+    /// The reader's program would panic at this range of the line.
     NoResult(Range<usize>),
-    /// The operations that the picture may take are spent.
+    /// The picture has used up its operations.
     OutOfOperations,
 }
 
-/// What lines need while they are evaluated.
+/// The state in which lines are evaluated.
 pub struct Evaluation {
-    /// The values of the place's variables, and behind them those of `let`.
+    /// The values of the place's variables, followed by those of `let`.
     pub slots: Vec<Value>,
-    /// The operations that the picture may still take.
+    /// The number of operations that the picture has left.
     operations_left: u64,
 }
 
 impl Evaluation {
-    /// Lets lines take this many operations.
+    /// A state with this many operations to spend.
     pub const fn new(operations: u64) -> Self {
         Self { slots: vec![], operations_left: operations }
     }
 
-    /// Computes the value of a line from those of its variables.
+    /// Computes a line's value from those of its variables.
     pub fn evaluate(&mut self, run: &Run, variables: &[Value]) -> Result<Value, Interruption> {
         self.spend(1)?;
         self.slots.clear();
@@ -81,9 +80,10 @@ impl Evaluation {
         run.evaluate(self)
     }
 
-    /// Counts operations. An operation is a function, a method, an operator or a branch that is
-    /// evaluated once, or the evaluation of a line besides: none of them takes much longer than
-    /// another. So a picture takes the same number of them on every machine.
+    /// Spends operations. A function, a method, an operator or a branch takes one each time it is
+    /// evaluated, and so does the line as a whole, since none of them takes much longer than
+    /// another; only a remainder may take more. A count is the same on every machine, unlike a
+    /// time.
     #[inline]
     pub fn spend(&mut self, operations: u64) -> Result<(), Interruption> {
         match self.operations_left.checked_sub(operations) {

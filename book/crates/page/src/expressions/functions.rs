@@ -1,39 +1,39 @@
-//! The functions, methods and operators that a line may have.
+//! The functions, methods and operators that a line may use.
 
 use crate::expressions::value::Value;
 use course::ValueType;
 use glam::DVec3;
 use std::f64::consts;
 
-/// A function of values of given types.
+/// A function with given parameter types. Overloads have separate entries.
 pub struct Function {
-    /// Its path, such as `f64::max`, for functions, methods and constants; `DVec3.x` for fields;
-    /// the sign of an operator; `as f64` for a cast.
+    /// Its path, such as `f64::max`, for a function, method or constant; `DVec3.x` for a field; the
+    /// sign for an operator; `as f64` for a cast.
     pub name: &'static str,
-    /// The types of the values that it takes, none for a constant.
+    /// The types of its parameters; none for a constant.
     pub parameters: &'static [ValueType],
-    /// The type of what it gives.
+    /// The type of its result.
     pub result: ValueType,
-    /// Computes it. Returns None where the reader's program would stop.
+    /// Computes the result. Returns None if the reader's program would panic.
     pub apply: fn(&[Value]) -> Option<Value>,
 }
 
-/// All functions.
+/// All functions in the table.
 pub fn functions() -> impl Iterator<Item = &'static Function> {
     FUNCTIONS.iter().copied().flatten()
 }
 
-/// Whether there is a function of this name, whatever it takes.
+/// Whether there is a function with this name, whatever its parameters.
 pub fn is_known(name: &str) -> bool {
     functions().any(|function| function.name == name)
 }
 
-/// The function of this name that takes values of these types.
+/// Finds the function with this name and these parameter types.
 pub fn find_function(name: &str, types: &[ValueType]) -> Option<&'static Function> {
     functions().find(|function| function.name == name && function.parameters == types)
 }
 
-/// The number of operations that the remainder of `a` and `b` counts as: it is computed bit by bit,
+/// The number of operations that the remainder of `values` counts as. It is computed bit by bit,
 /// which takes longest if the quotient is large.
 pub fn remainder_operations(values: &[Value]) -> u64 {
     match values {
@@ -42,7 +42,7 @@ pub fn remainder_operations(values: &[Value]) -> u64 {
     }
 }
 
-/// Functions that have a result for some of their values only, and stop the program for the others.
+/// Functions that have no result for some arguments, where the program would panic.
 macro_rules! partial_functions {
     ($($name:expr, ($($value:ident: $type:ident),*) -> $result:ident = $body:expr;)*) => {
         &[$(Function {
@@ -63,7 +63,7 @@ macro_rules! functions {
     };
 }
 
-/// Functions of a type, under their paths.
+/// Methods and associated functions of a type, named by their paths.
 macro_rules! methods {
     ($type:ident $parameters:tt $values:tt -> $result:ident: $($name:ident)*) => {
         functions! { $(
@@ -154,7 +154,7 @@ static FUNCTIONS: &[&[Function]] = &[
         "std::f64::consts::PI", () -> F64 = consts::PI;
         "std::f64::consts::TAU", () -> F64 = consts::TAU;
     },
-    // The operators of whole numbers stop a program if they overflow, as in a development build.
+    // Integer operators panic on overflow, as in a development build.
     partial_functions! {
         "+", (a: I32, b: I32) -> I32 = a.checked_add(b);
         "-", (a: I32, b: I32) -> I32 = a.checked_sub(b);

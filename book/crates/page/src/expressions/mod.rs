@@ -1,13 +1,14 @@
-//! The five steps with expressions of the reader's in them: what the listings of the book draw when
-//! their lines are edited.
+//! Draws the five steps with the reader's expressions in them, as if the lines of the book's
+//! listings had been edited.
 //!
-//! A *place* is an expression of the steps that carries the lecture; `places.txt` lists them all.
-//! The build script copies the steps' own source and lets each place ask for the value of the
-//! reader's line first (`value_of_line`). A line is read by `syn`. The *compiler* looks up its
-//! operators, functions and methods in a table of *functions* with the types that Rust gives them,
-//! and joins the functions that it finds into one that runs for each pixel. What Rust would refuse
-//! is refused, with the part of the line that is wrong and a sentence. So is what would stop the
-//! reader's program while it draws, and what needs more *operations* than a page has time for.
+//! A *place* is an expression in the steps that matters in the lecture; `places.txt` lists them
+//! all. The build script copies the steps' source, and makes each place first ask for the value of
+//! the reader's line (`value_of_line`). The line is parsed by `syn`. The *compiler* looks up its
+//! operators, functions and methods in a table of *functions*, which has the types that they have
+//! in Rust, and combines those it finds into a single closure that runs for each pixel. Whatever
+//! Rust would refuse is refused, with the range that is wrong and a sentence that explains it. The
+//! same happens to a line that would make the reader's program panic while drawing, or that needs
+//! more *operations* than a page has time for.
 
 #[allow(clippy::all, missing_docs, dead_code, unused, reason = "copied code")]
 mod steps {
@@ -32,5 +33,5 @@ pub use evaluation::Expression;
 pub use refusal::{Fault, Refusal};
 pub use value::Value;
 
-// What the copy of the steps calls, besides `draw_pixels`.
+// Called by the copied steps, like `draw_pixels`.
 use edited_picture::{stop_unless, value_of_line};

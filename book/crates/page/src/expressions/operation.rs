@@ -1,4 +1,4 @@
-//! Syntax that calls a function of its parts, in whatever way.
+//! Splits syntax that calls a function, such as an operator, a cast, a field or a method.
 
 use crate::expressions::refusal::{Fault, Refusal, refuse};
 use quote::ToTokens;
@@ -7,21 +7,20 @@ use std::ops::Range;
 use syn::spanned::Spanned;
 use syn::{Expr, UnOp};
 
-/// A function under its name in the table, the parts of a line that it takes, and the range of its
-/// name or its sign.
+/// A function's name in the table, its operands, and the range of its name or sign in the line.
 type Operation<'a> = (String, Vec<&'a Expr>, Range<usize>);
 
-/// The bytes of a part of the line.
+/// The byte range of a part of the line.
 pub fn range_of(syntax: &impl Spanned) -> Range<usize> {
     syntax.span().byte_range()
 }
 
-/// A part of the line without blanks and comments.
+/// Writes a part of the line without whitespace or comments.
 pub fn write_tokens(syntax: &impl ToTokens) -> String {
     syntax.to_token_stream().to_string().split_whitespace().collect()
 }
 
-/// The function or operator that this syntax calls, and its operands.
+/// Splits syntax into the function or operator that it calls and the operands.
 pub fn split_operation(syntax: &Expr) -> Result<Operation<'_>, Refusal> {
     Ok(match syntax {
         Expr::Unary(unary) => {

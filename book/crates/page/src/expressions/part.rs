@@ -1,4 +1,4 @@
-//! A part of a line that is compiled.
+//! The compiled parts of a line.
 
 use crate::expressions::evaluation::Run;
 use crate::expressions::operation::range_of;
@@ -13,26 +13,26 @@ use syn::Lit;
 pub struct Part {
     pub run: Run,
     pub value_type: ValueType,
-    /// Whether it is a literal such as 2.0, or a sum of such, whose type Rust doesn't know yet. It
-    /// has no methods.
+    /// Whether the part is a literal such as 2.0, or made of such literals alone, so that Rust
+    /// doesn't know its type yet. Such a part has no methods.
     pub is_open: bool,
-    /// The bytes of the line that it was made from.
+    /// The bytes of the line that the part was compiled from.
     pub range: Range<usize>,
 }
 
 impl Part {
-    /// A part that has this value at each pixel.
+    /// A part that has this value for every pixel.
     pub fn constant(value: Value, is_open: bool, range: Range<usize>) -> Self {
         Self { run: Run::Constant(value), value_type: value.value_type(), is_open, range }
     }
 
-    /// Its value, if it has the same one at each pixel.
+    /// The part's value, if it is the same for every pixel.
     pub fn constant_value(&self) -> Option<Value> {
         if let Run::Constant(value) = self.run { Some(value) } else { None }
     }
 }
 
-/// A number, or true or false.
+/// Compiles a number, `true` or `false`.
 pub fn literal_part(literal: &Lit) -> Result<Part, Refusal> {
     let value = match literal {
         Lit::Bool(truth) => Some(Value::Bool(truth.value)),

@@ -1,31 +1,31 @@
-//! What a reader is told about a line that isn't drawn.
+//! What readers are told about a line that can't be drawn.
 
 use crate::expressions::value::describe_type;
 use course::ValueType;
 use std::ops::Range;
 use thiserror::Error;
 
-/// A line that isn't drawn, and why.
+/// The error for a line that can't be drawn.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[error("{fault}")]
 pub struct Refusal {
-    /// The bytes of the line that are wrong.
+    /// The range of bytes that is wrong.
     pub range: Range<usize>,
-    /// What is wrong with them.
+    /// What is wrong there.
     pub fault: Fault,
 }
 
-/// Refuses a part of a line.
+/// Refuses a range of the line.
 pub fn refuse<T>(range: Range<usize>, fault: Fault) -> Result<T, Refusal> {
     Err(Refusal { range, fault })
 }
 
-/// What is wrong with a part of a line, in one or two sentences for the reader. A list of names may
-/// follow on a line of its own.
+/// What is wrong with a part of a line, told to the reader in one or two sentences. A list of names
+/// may follow on its own line.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[allow(missing_docs, reason = "each has its sentence")]
 pub enum Fault {
-    // The text.
+    // Faults in the text.
     #[error("That's longer than a line should be.")]
     LongText,
     #[error("A control character is here, which nobody sees.")]
@@ -42,7 +42,7 @@ pub enum Fault {
     #[error("For ? :, Rust has if … {{ … }} else {{ … }}.")]
     QuestionMark,
 
-    // The syntax.
+    // Faults in the syntax.
     #[error("Write a value here. Reset brings back the book’s.")]
     Nothing,
     #[error("The bracket that closes this one is missing.")]
@@ -81,7 +81,7 @@ pub enum Fault {
     )]
     Unsupported,
 
-    // The types.
+    // Faults in the types.
     #[error("That's beyond an f64.")]
     BeyondF64,
     #[error("Rust has no such f64 or i32; or is a * missing?")]
@@ -95,7 +95,7 @@ pub enum Fault {
     #[error("{subject} {}, not {}.{cure}", describe_type(*.wanted), describe_type(*.actual))]
     Mismatch { subject: String, wanted: ValueType, actual: ValueType, cure: &'static str },
 
-    // The names.
+    // Faults in the names.
     #[error("This file has no use glam::DVec3.")]
     NoVectors,
     #[error("For powers, Rust has .powi(2) or .powf(0.5).")]
@@ -115,7 +115,7 @@ pub enum Fault {
     #[error("{name} isn't known here. {cure}")]
     UnknownName { name: String, cure: String },
 
-    // The program, while it draws.
+    // Faults while the program draws.
     #[error("Here your program would stop: there is no result, or none that fits its type.")]
     NoResult,
     #[error("Here your program would stop: {0}.")]

@@ -7,10 +7,10 @@ use course::{Place, ValueType};
 use std::collections::BTreeSet;
 use std::ops::Range;
 
-/// Functions of a type that aren't methods of its values.
+/// Associated functions that aren't methods.
 const NO_METHODS: [&str; 3] = ["from", "new", "splat"];
 
-/// Why a value doesn't fit where another type is wanted. The subject begins the sentence.
+/// Explains why a value doesn't fit where another type is wanted. `subject` begins the sentence.
 pub fn explain_mismatch(subject: &str, part: &Part, text: &str, wanted: ValueType) -> Fault {
     use ValueType::{Bool, F64, I32, Vector};
     let (actual, text) = (part.value_type, &text[part.range.clone()]);
@@ -30,8 +30,8 @@ pub fn explain_mismatch(subject: &str, part: &Part, text: &str, wanted: ValueTyp
     Fault::Mismatch { subject: subject.to_owned(), wanted, actual, cure }
 }
 
-/// Why a function, whose name is at `sign`, can't be called with these parts, and which part of the
-/// line is wrong.
+/// Explains why the function named at range `sign` can't be called with these arguments, and which
+/// range of the line to mark.
 pub fn explain_refused_call(
     name: &str,
     sign: Range<usize>,
@@ -64,8 +64,8 @@ pub fn explain_refused_call(
     Refusal { range: sign, fault }
 }
 
-/// Says that there is no such name, and lists those that there are. The name may be called with
-/// parts.
+/// Explains that a name is unknown, and lists the known ones. If the name is called, `parts` are
+/// its arguments.
 fn explain_unknown_name(name: &str, parts: &[Part], place: &Place, text: &str) -> Fault {
     let last = name.rsplit("::").next().unwrap_or_default().to_ascii_lowercase();
     if let [first, others @ ..] = parts
@@ -82,7 +82,7 @@ fn explain_unknown_name(name: &str, parts: &[Part], place: &Place, text: &str) -
             &format!("These are:\n{}", variables.collect::<Vec<_>>().join(", "))
         }
     };
-    // Such as the sphere of sphere.centre.
+    // For example, the `sphere` in `sphere.centre`.
     let is_known_in_part = place
         .variables
         .iter()
@@ -91,7 +91,7 @@ fn explain_unknown_name(name: &str, parts: &[Part], place: &Place, text: &str) -
     Fault::UnknownName { name: format!("{name}{alone}"), cure: cure.to_owned() }
 }
 
-/// Says that a value has no such field or method, and lists those that it has.
+/// Explains that a value has no such field or method, and lists those that it has.
 fn explain_unknown_member(shown_name: &str, receiver: ValueType) -> Fault {
     let members = functions().filter_map(|function| {
         let member = function.name.strip_prefix(receiver.name())?;

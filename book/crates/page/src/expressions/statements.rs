@@ -1,4 +1,4 @@
-//! `if` and `let`, which are more than functions of their parts.
+//! Compiles `if` and `let`, which do more than call a function of their operands.
 
 use crate::expressions::compiler::Compiler;
 use crate::expressions::evaluation::Run;
@@ -13,7 +13,7 @@ use std::rc::Rc;
 use syn::{ExprIf, Ident, LocalInit, Pat, PatIdent, Stmt};
 
 impl Compiler<'_> {
-    /// One of two values.
+    /// Compiles an `if`.
     pub fn compile_if(&mut self, branches: &ExprIf) -> Result<Part, Refusal> {
         let Some((_, other)) = &branches.else_branch else {
             return refuse(range_of(&branches.if_token), Fault::MissingElse);
@@ -46,7 +46,8 @@ impl Compiler<'_> {
         Ok(Part { run, value_type, is_open, range: 0..0 })
     }
 
-    /// The value of these statements, the last of a block at this range.
+    /// Compiles the remaining statements of the block at `range`. Their value is that of the last
+    /// one.
     pub fn compile_statements(
         &mut self,
         statements: &[Stmt],
@@ -87,7 +88,8 @@ impl Compiler<'_> {
         Ok(Part { run, ..part })
     }
 
-    /// Makes a name known, which `let` gives to a value.
+    /// Adds a name that `let` gives to a part. Refuses a name that is taken, reserved or
+    /// capitalised.
     fn add_name(&mut self, ident: &Ident, part: Part) -> Result<(), Refusal> {
         let name = ident.to_string();
         let is_end = |sign: char| !sign.is_alphanumeric() && sign != '_';

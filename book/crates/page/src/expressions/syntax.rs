@@ -1,16 +1,17 @@
-//! Reads a line with `syn`, and says in plain words what `syn` can't read.
+//! Parses a line with `syn`, and explains in plain words what `syn` can't parse.
 
 use crate::expressions::refusal::{Fault, Refusal, refuse};
 use std::ops::Range;
 use syn::Expr;
 
-/// The most bytes of a line. However deeply they are nested, they fit the stack of a page.
+/// The maximum length of a line, in bytes. However deeply such a line is nested, it can't overflow
+/// a page's stack.
 const MAX_LENGTH: usize = 250;
 
 /// Parses a line as an expression.
 pub fn parse_syntax(text: &str) -> Result<Expr, Refusal> {
     check_signs(text)?;
-    // Otherwise every line that was ever read stays in memory.
+    // Otherwise, every line ever parsed would stay in memory.
     proc_macro2::extra::invalidate_current_thread_spans();
     syn::parse_str(text).map_err(|error| {
         let range = error.span().byte_range();
@@ -18,7 +19,7 @@ pub fn parse_syntax(text: &str) -> Result<Expr, Refusal> {
     })
 }
 
-/// Refuses signs that no line has, and a line that is too long to be read.
+/// Refuses characters that no line may contain, and lines that are too long.
 fn check_signs(text: &str) -> Result<(), Refusal> {
     if text.len() > MAX_LENGTH {
         return refuse(0..text.len(), Fault::LongText);

@@ -1,4 +1,4 @@
-//! The values that a line computes.
+//! The values of a line and its parts.
 
 use course::ValueType;
 use glam::DVec3;
@@ -27,7 +27,7 @@ impl Value {
     }
 }
 
-/// Words for a value of this type that a reader knows.
+/// Describes a type in words that a reader knows.
 pub fn describe_type(value_type: ValueType) -> &'static str {
     match value_type {
         ValueType::F64 => "a number",
@@ -38,7 +38,7 @@ pub fn describe_type(value_type: ValueType) -> &'static str {
     }
 }
 
-/// A value has another type than its place.
+/// The error if a value has a different type from its place.
 pub struct TypeMismatch;
 
 macro_rules! convert {

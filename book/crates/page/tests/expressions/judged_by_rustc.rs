@@ -1,5 +1,5 @@
-//! A thousand random lines are compared with rustc. What rustc refuses, or what stops in a
-//! development build, has to be refused, and every value has to be equal to the last bit.
+//! Compares a thousand random lines with rustc. A line that rustc refuses, or that panics in a
+//! development build, must be refused here, and every value must be equal to the last bit.
 
 use course::{Place, ValueType, cargo_command, target_folder, workspace};
 use fastrand::Rng;
@@ -14,13 +14,15 @@ const KIND: &str = "fn(f64, f64, DVec3, DVec3, i32, bool) -> String";
 const MANIFEST: &str = "[package]\nname = \"judge\"\nedition = \"2024\"\n[workspace]\n\
     [dependencies]\nglam = { version = \"0.34\", default-features = false, features = [\"f64\", \"std\"] }\n";
 
-/// The program, up to its functions. It prints a line for each function, or "stop" if it panics.
+/// The program, up to its functions. For each function, it prints the value, or "stop" if the
+/// function panics.
 const PROGRAM: &str = "#![allow(warnings)] use glam::DVec3; use std::panic::*; fn main() { \
     set_hook(Box::new(|_| {})); for f in ALL { println!(\"{}\", catch_unwind(|| f(0.75, -3.5, \
     DVec3::new(0.5, -0.25, 2.0), DVec3::Z, -3, true)).unwrap_or(\"stop\".to_owned())) } }\n";
 
-/// Writes a random line whose type has a name that begins with `letter`. In a pattern, $ and a
-/// letter stand for a line of that type, ; stands for a comma, and # for a semicolon.
+/// Writes a random line of the type whose name begins with `letter`, or occasionally of a wrong
+/// type. In a pattern, `$` and a letter stand for a line of that type, `;` for a comma, and `#` for
+/// a semicolon.
 fn write_line(rng: &mut Rng, letter: &str, depth: usize) -> String {
     let is_wrong = rng.u8(..) < 5;
     let lists = include_str!("patterns.txt").lines().filter_map(|line| line.split_once(": "));
@@ -39,7 +41,7 @@ fn write_line(rng: &mut Rng, letter: &str, depth: usize) -> String {
     text
 }
 
-/// Asks rustc for the value of each line. It is None if rustc refuses the line.
+/// Asks rustc for the value of each line, which is None if rustc refuses the line.
 fn ask_rustc(lines: &[(&str, String)]) -> Vec<Option<String>> {
     let folder = target_folder().join("judge");
     fs::create_dir_all(folder.join("src")).expect("a folder");
@@ -52,7 +54,7 @@ fn ask_rustc(lines: &[(&str, String)]) -> Vec<Option<String>> {
             true => format!(
                 "fn f{index}({PARAMETERS}) -> String {{ let x: {kind} = {text}; format!(\"{{x:?}}\") }}\n"
             ),
-            // The other functions keep their line numbers.
+            // An empty line keeps the line numbers of the other functions.
             false => "\n".to_owned(),
         };
         let functions: String = lines.iter().enumerate().map(function).collect();
@@ -110,7 +112,7 @@ fn rustc_judges_made_lines() {
             let no_result = Refusal { range: 0..text.len(), fault: Fault::NoResult };
             line.evaluate(&values).ok_or(no_result)
         });
-        // rustc prints values without the name of our variant.
+        // The program prints bare values, without the names of our variants.
         let value =
             value.map(|value| format!("{value:?}").split_once('(').expect("one").1.to_owned());
         let judged = judged.map(|value| if value == "stop" { value } else { value + ")" });

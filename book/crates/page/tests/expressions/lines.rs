@@ -1,5 +1,5 @@
-//! What a reader is told about lines that are refused, when they are read or while they draw. The
-//! part that is wrong is between ⟦ and ⟧.
+//! What readers are told about lines that are refused, either when they are compiled or while they
+//! draw. The part that is wrong is shown as ⟦wrong⟧.
 
 use course::all_listed_places;
 use page::expressions::{Fault, Refusal, draw_edited, parse_expression};
@@ -21,7 +21,7 @@ fn refused_lines_have_their_range_and_sentence() {
     insta::assert_snapshot!(report);
 }
 
-/// Draws a small picture.
+/// Draws a small picture with this line in it.
 fn draw(name: &str, text: &str) -> Result<(), Refusal> {
     draw_within(name, text, 30_000)
 }

@@ -1,5 +1,5 @@
-//! The book's code, typed into a place, draws the locked picture. A listed mistake that is typed
-//! there draws the picture of that mistake.
+//! The book's code, typed at a place, draws the locked picture. A listed mistake typed there draws
+//! the picture that belongs to that mistake.
 
 use course::environment::is_thorough;
 use course::{
@@ -9,8 +9,8 @@ use course::{
 use page::expressions::{draw_edited, parse_expression};
 use std::{fs, iter::once};
 
-/// Draws the book's code of every place, and a tenth of the listed mistakes that change one place
-/// and nothing else, or all of them with THOROUGH=1.
+/// Draws the book's code at every place, and a tenth of the listed mistakes that change one place
+/// and nothing else. With THOROUGH=1, it draws all of these.
 #[test]
 fn places_and_listed_mistakes_are_drawn_by_an_edited_line() {
     let step = if is_thorough() { 1 } else { 10 };
@@ -40,8 +40,8 @@ fn places_and_listed_mistakes_are_drawn_by_an_edited_line() {
     assert!(10 * refusals.len() < count, "of {count}, these are refused:\n{refused_lines}");
 }
 
-/// What can be written at `place`, with the hash of its picture: the book's code, and each mistake
-/// that changes nothing else.
+/// What can be typed at `place`, each with the hash of its picture: the book's code, and each
+/// mistake that changes nothing else.
 fn known_codes_with_hashes(place: &Place) -> Vec<(String, u64)> {
     let path = format!("steps/{}", place.file);
     let text = fs::read_to_string(workspace().join(&path)).expect("a file");

@@ -1,4 +1,5 @@
-//! Edited lines draw what the reader's own program would, and what Rust would refuse is refused.
+//! An edited line draws what the reader's own program would draw. If Rust would refuse the line, it
+//! is refused here.
 
 mod judged_by_rustc;
 mod lines;
