@@ -27,9 +27,9 @@ mod mistake_table;
 pub use mistake::{Mistake, MistakePicture, ShownMistake, mistakes};
 pub use mistake_files::{MistakeTexts, mistake_texts, provide_mistake_texts};
 pub use mistake_table::{
-    SMALL_SIZE, TableRow, find_mistakes_with_hash, hash_picture, hashes_of_right_pictures,
-    make_small_picture, names_of_right_pictures, read_small_pictures, small_pictures_path,
-    table_rows,
+    MistakeTable, RightPicture, SMALL_SIZE, TableError, TableRow, find_mistakes_with_hash,
+    hash_picture, hashes_of_right_pictures, make_small_picture, mistake_table, mistakes_with_rows,
+    names_of_right_pictures, read_small_pictures, small_pictures_path,
 };
 
 mod place;

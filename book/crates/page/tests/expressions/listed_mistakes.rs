@@ -3,8 +3,8 @@
 
 use course::environment::is_thorough;
 use course::{
-    Mistake, Place, TableRow, all_listed_places, hash_picture, hashes_of_right_pictures, mistakes,
-    table_rows, workspace,
+    Mistake, Place, TableRow, all_listed_places, hash_picture, hashes_of_right_pictures,
+    mistakes_with_rows, workspace,
 };
 use page::expressions::{draw_edited, parse_expression};
 use std::{fs, iter::once};
@@ -51,11 +51,11 @@ fn known_codes_with_hashes(place: &Place) -> Vec<(String, u64)> {
     let (code_before, code_after) = (&bare[..range.start], &bare[range.end..]);
     let right = hashes_of_right_pictures().find(|(name, _)| *name == place.step_name());
     let (_, right) = right.expect("a locked picture");
-    let edit = |(mistake, row): (&Mistake, TableRow)| {
+    let edit = |(mistake, row): (&Mistake, &TableRow)| {
         let edited = mistake.apply_and_unindent(&bare).ok().filter(|_| mistake.file == path)?;
         let new = edited.strip_prefix(code_before)?.strip_suffix(code_after)?;
         Some((new.to_owned(), row.hashes.first()?.unwrap_or(right)))
     };
-    let edits = mistakes().iter().zip(table_rows()).filter_map(edit);
+    let edits = mistakes_with_rows().filter_map(edit);
     once((place.code.to_owned(), right)).chain(edits).collect()
 }
