@@ -7,7 +7,7 @@ use course::{
 };
 use figures::Reply;
 use image::RgbImage;
-use std::ops::RangeInclusive;
+use std::ops::{Range, RangeInclusive};
 
 /// The picture widths that a page may ask for.
 const COLUMNS: RangeInclusive<u32> = 16..=FULL_SIZE;
@@ -98,13 +98,24 @@ pub fn edit(words: &str) -> Reply {
             ]);
             Reply { pixels: figures::rgba_bytes(&picture), ..reply }
         }
-        Err(LineRefusal { place, refusal }) => Reply::from_json_fields([
-            ("line", json::quote(place)),
-            ("from", refusal.range.start.to_string()),
-            ("to", refusal.range.end.to_string()),
-            ("fault", json::quote(&refusal.to_string())),
-        ]),
+        Err(LineRefusal { place, refusal }) => {
+            let line = edit.lines.iter().find(|(edited, _)| edited.name == place);
+            let text = line.map_or("", |(_, text)| text);
+            let range = utf16_range(text, &refusal.range);
+            Reply::from_json_fields([
+                ("line", json::quote(place)),
+                ("from", range.start.to_string()),
+                ("to", range.end.to_string()),
+                ("fault", json::quote(&refusal.to_string())),
+            ])
+        }
     }
+}
+
+/// Converts a range of bytes of a text to UTF-16 code units, as JavaScript counts.
+fn utf16_range(text: &str, bytes: &Range<usize>) -> Range<usize> {
+    let code_units = |end: usize| text[..end].encode_utf16().count();
+    code_units(bytes.start)..code_units(bytes.end)
 }
 
 /// Describes a picture that is right, or that a listed mistake in the edited line would produce.
@@ -175,6 +186,21 @@ mod tests {
         );
         assert!(fault.pixels.is_empty() && picture.text.starts_with(r#"{"size":[16,9],"#));
         assert_eq!(picture.pixels.len(), 16 * 9 * 4);
+    }
+
+    #[test]
+    fn fault_is_where_javascript_counts_it() {
+        let from_and_to = |text: &str| {
+            let reply = edit(&format!("16 a 1.0\u{1f}disc {text}")).text;
+            let (_, rest) = reply.split_once("\"from\":").expect("a fault");
+            rest.split(",\"fault\"").next().map(str::to_owned).expect("its range")
+        };
+        assert_eq!(from_and_to("b − 4.0"), "2,\"to\":3");
+        assert_eq!(from_and_to("b θ"), "2,\"to\":3");
+        // This emoji has four bytes and two code units.
+        assert_eq!(from_and_to("b 🙂"), "2,\"to\":4");
+        assert_eq!(from_and_to("🙂 /* − */ \u{7}"), "11,\"to\":12");
+        assert_eq!(from_and_to(&"🙂".repeat(100)), "0,\"to\":200");
     }
 
     #[test]
