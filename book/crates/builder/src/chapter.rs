@@ -1,4 +1,8 @@
 //! The expansion of a chapter: every directive, formula and listing becomes HTML.
+//!
+//! The result is Markdown again, with that HTML in it. A preprocessor of mdBook returns chapters as
+//! Markdown, and mdBook renders them afterwards: the paragraphs, headings and links, which stay as
+//! their author wrote them.
 
 use crate::directive::{Directive, replace_directives};
 use crate::fault::{ChapterError, ChapterResult, Fault};
@@ -105,6 +109,16 @@ struct Chapter<'a> {
 
 type Events<'a> = [(Event<'a>, Range<usize>)];
 
+/// What happens to a part of the chapter.
+enum Expansion {
+    /// It stays as it is, unless a part inside it is expanded.
+    Keep,
+    /// This Markdown replaces it.
+    Replace(String),
+    /// It has been replaced already.
+    Done,
+}
+
 impl<'a> Chapter<'a> {
     fn add_fault(&mut self, position: usize, error: ChapterError) {
         let line = 1 + self.text[..position].matches('\n').count();
@@ -168,10 +182,14 @@ impl<'a> Chapter<'a> {
                 self.add_fault(range.start, ChapterError::DeepNesting);
                 return;
             }
-            if self.expanded_end < range.end
-                && let Some(part) = self.expand_event(event, &events[index..], range)
-            {
-                self.replace(range.clone(), part);
+            // What lies inside a part that was replaced isn't expanded again.
+            if self.expanded_end < range.end {
+                match self.expand_event(event, &events[index..], range) {
+                    Ok(Expansion::Keep) => {}
+                    Ok(Expansion::Replace(part)) => self.replace(range.clone(), Ok(part)),
+                    Ok(Expansion::Done) => debug_assert!(self.expanded_end >= range.end),
+                    Err(error) => self.replace(range.clone(), Err(error)),
+                }
             }
         }
         let problem_position = self.open_problem.as_ref().map(|problem| problem.start);
@@ -204,62 +222,66 @@ impl<'a> Chapter<'a> {
         html.map(|html| html + closing)
     }
 
-    /// The replacement for a part of the chapter, or None if the text stays as it is.
+    /// Expands the part of the chapter at `range`, where the first of `events` begins it.
     fn expand_event(
         &mut self,
         event: &Event,
         events: &Events,
         range: &Range<usize>,
-    ) -> Option<ChapterResult<String>> {
+    ) -> ChapterResult<Expansion> {
         let source = &self.text[range.clone()];
         let values = &self.sources.values;
-        Some(match event {
-            Event::Start(Tag::CodeBlock(kind)) => self.expand_code_block(kind, source),
+        Ok(Expansion::Replace(match event {
+            Event::Start(Tag::CodeBlock(kind)) => self.expand_code_block(kind, source)?,
             Event::Start(Tag::Paragraph) => {
-                let html = self.expand_directive_or_pictures(events, range)?;
-                html.map(|html| format!("\n{html}\n"))
+                return Ok(match self.expand_directive_or_pictures(events, range)? {
+                    Expansion::Replace(html) => Expansion::Replace(format!("\n{html}\n")),
+                    other => other,
+                });
             }
             Event::Start(Tag::TableRow) => match Directive::parse(source) {
                 Some(Directive { kind: "rows", words }) => {
-                    pixel_panel::rows_markdown(words, values)
+                    pixel_panel::rows_markdown(words, values)?
                 }
-                _ => return None,
+                _ => return Ok(Expansion::Keep),
             },
             Event::Start(Tag::Strong) => {
                 let position = self.copy_and_pair_position(range.start);
-                self.open_problem.as_mut()?.record_bold_start(position);
-                return None;
+                if let Some(problem) = &mut self.open_problem {
+                    problem.record_bold_start(position);
+                }
+                return Ok(Expansion::Keep);
             }
             Event::End(TagEnd::Strong) => {
                 let position = self.copy_and_pair_position(range.end);
-                self.open_problem.as_mut()?.record_bold_end(position);
-                return None;
+                if let Some(problem) = &mut self.open_problem {
+                    problem.record_bold_end(position);
+                }
+                return Ok(Expansion::Keep);
             }
             Event::Start(Tag::Image { dest_url, .. }) => {
-                picture::markdown_html(source, dest_url, self.sources, &mut self.loading)
+                picture::markdown_html(source, dest_url, self.sources, &mut self.loading)?
             }
             Event::InlineMath(latex) => {
                 self.replace_inline_formula(latex, range);
-                return None;
+                return Ok(Expansion::Done);
             }
-            Event::DisplayMath(latex) => formula::formula_html(latex, true, values),
-            Event::Code(code) if is_breakable_name(code) => {
-                Ok(markdown::code_with_break_hints(code))
-            }
-            Event::Code(_) => numbers::fill_in_code(source, values),
+            Event::DisplayMath(latex) => formula::formula_html(latex, true, values)?,
+            Event::Code(code) if is_breakable_name(code) => markdown::code_with_break_hints(code),
+            Event::Code(_) => numbers::fill_in_code(source, values)?,
             Event::Text(_) | Event::Html(_) | Event::InlineHtml(_) => {
                 self.report_lone_dollar(source, range.start);
-                let first = source.find("{{#")?;
+                let Some(first) = source.find("{{#") else { return Ok(Expansion::Keep) };
                 let source_place_markdown = self.source_place_markdown;
                 let text = replace_directives(&source[first..], |directive| match directive.kind {
                     "our-folder" => Ok(source_place_markdown.to_owned()),
                     _ => numbers::number_html(directive, values),
                 });
                 self.replace(range.start + first..range.end, text);
-                return None;
+                return Ok(Expansion::Done);
             }
-            _ => return None,
-        })
+            _ => return Ok(Expansion::Keep),
+        }))
     }
 
     /// Adds a fault if there is a $ in `source`, a piece of text or HTML that begins at `start`.
@@ -297,42 +319,42 @@ impl<'a> Chapter<'a> {
         &mut self,
         events: &Events,
         range: &Range<usize>,
-    ) -> Option<ChapterResult<String>> {
+    ) -> ChapterResult<Expansion> {
         let directive = Directive::parse(&self.text[range.clone()]);
         let Some(Directive { kind, words }) = directive else {
             return self.expand_pictures_alone(events, range);
         };
         let values = &self.sources.values;
         if let Some(html) = note::html(Directive { kind, words }, values) {
-            return Some(self.expand_note(html, range));
+            return self.expand_note(html, range).map(Expansion::Replace);
         }
-        Some(match (kind, words) {
-            ("figure", name) => figure::html(name, values),
-            ("check", name) => check_form::html(name, self.sources),
-            ("mistakes", step) => mistake_gallery::markdown(step, self.sources, &mut self.loading),
+        Ok(Expansion::Replace(match (kind, words) {
+            ("figure", name) => figure::html(name, values)?,
+            ("check", name) => check_form::html(name, self.sources)?,
+            ("mistakes", step) => mistake_gallery::markdown(step, self.sources, &mut self.loading)?,
             ("problem", _) if self.open_problem.is_some() || self.open_box.is_some() => {
-                Err(ChapterError::ProblemInBox)
+                return Err(ChapterError::ProblemInBox);
             }
             ("problem", words) => {
                 self.begin_problem(words, range);
-                return None;
+                return Ok(Expansion::Done);
             }
             ("problem-sheet", _) => {
                 self.replace(range.clone(), Ok("\n\n".to_owned()));
                 // The sheet goes between the two newlines.
                 self.sheet_position = Some(self.expanded.len() - 1);
-                return None;
+                return Ok(Expansion::Done);
             }
-            ("end", _) => self.end_box(),
+            ("end", _) => self.end_box()?,
             ("pixel-panel", picture) => {
                 let html = self.pixel_panel_html(picture);
-                self.begin_box(kind, range.start, html)
+                self.begin_box(kind, range.start, html)?
             }
             (kind, words) => match folded_box::opening_html(kind, words, values) {
-                Some(html) => self.begin_box(kind, range.start, html),
-                None => return None,
+                Some(html) => self.begin_box(kind, range.start, html)?,
+                None => return Ok(Expansion::Keep),
             },
-        })
+        }))
     }
 
     /// Opens a box. It counts as open even if its first line is an error, so that its `{{#end}}`
@@ -404,7 +426,7 @@ impl<'a> Chapter<'a> {
         &mut self,
         events: &Events,
         range: &Range<usize>,
-    ) -> Option<ChapterResult<String>> {
+    ) -> ChapterResult<Expansion> {
         let (mut pictures, mut remaining) = (vec![], self.text[range.clone()].to_owned());
         for (event, inner) in events {
             if let Event::Start(Tag::Image { dest_url, title, .. }) = event
@@ -418,16 +440,13 @@ impl<'a> Chapter<'a> {
         let live = Directive::parse(&remaining).filter(|directive| directive.kind == "live");
         let is_whole = live.is_some() || remaining.trim().is_empty();
         if !is_whole || pictures.is_empty() {
-            return None;
+            return Ok(Expansion::Keep);
         }
-        let live = match live.map(|directive| find_live_figure(directive.words)).transpose() {
-            Ok(live) => live,
-            Err(error) => return Some(Err(error)),
-        };
+        let live = live.map(|directive| find_live_figure(directive.words)).transpose()?;
         if let Some(picture) = live.filter(|live| live.probe().is_some()) {
             self.missing_panel = Some((range.start, picture.name));
         }
-        Some(self.figures_html(&pictures, live))
+        self.figures_html(&pictures, live).map(Expansion::Replace)
     }
 
     /// The figures for some pictures, given as `[markdown, file, caption]`. Several stand side by
