@@ -1,6 +1,6 @@
-//! The table with a hash of each picture that a mistake gives, and the small pictures that the book
-//! shows. The small pictures of a step are in one file, below each other in the order of the table,
-//! since a change of the scene changes all of them.
+//! The table with a hash of each picture that a mistake produces, and the small pictures that the
+//! book shows. The small pictures for a step are stacked in one file, in the order of the table,
+//! since a change to the scene changes all of them anyway.
 
 use crate::hash::fnv_1a;
 use crate::mistake_files::mistake_texts;
@@ -14,24 +14,24 @@ fn table_lines() -> std::str::Lines<'static> {
     mistake_texts().map(|texts| texts.table).unwrap_or_default().lines()
 }
 
-/// The hash of a picture: FNV-1a with 64 bits, of the columns, the rows and all bytes.
+/// Hashes a picture: 64-bit FNV-1a of the number of columns, the number of rows and all bytes.
 pub fn hash_picture(picture: &RgbImage) -> u64 {
     let (columns, rows) = picture.dimensions();
     let size = [columns, rows].into_iter().flat_map(u32::to_le_bytes);
     fnv_1a(size.chain(picture.as_raw().iter().copied()))
 }
 
-/// The row of a mistake in the table.
+/// A mistake's row in the table.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TableRow {
-    /// A hash of everything that determined its pictures when they were drawn.
+    /// A hash of everything that determined the mistake's pictures when they were drawn.
     pub key: u32,
-    /// The hash of the picture of its step and of each later one. A hash is None if that picture
-    /// is right in spite of the mistake, or can't be drawn.
+    /// The hashes of the pictures of the mistake's step and of all later steps. A hash is None if
+    /// that picture is right in spite of the mistake, or can't be drawn.
     pub hashes: Vec<Option<u64>>,
 }
 
-/// The names and hashes of the right pictures.
+/// Returns the names and hashes of the right pictures.
 pub fn locked_hashes() -> impl Iterator<Item = (&'static str, u64)> {
     table_lines().filter_map(|line| {
         let (name, hash) = line.strip_prefix("= ")?.split_once(' ')?;
@@ -39,9 +39,9 @@ pub fn locked_hashes() -> impl Iterator<Item = (&'static str, u64)> {
     })
 }
 
-/// The rows of the table that is checked in, one for each mistake in the order of the list. Only
-/// their order says which mistake they belong to, since a key needs the files of the steps. A test
-/// of xtask compares the keys.
+/// Returns the rows of the checked-in table, one for each mistake in the order of the list. Only
+/// this order says which mistake a row belongs to: comparing keys would require the files of the
+/// steps. A test in xtask compares them.
 pub fn table_rows() -> impl Iterator<Item = TableRow> {
     table_lines().filter_map(|line| {
         let (key, hashes) = line.split_once(' ')?;
@@ -51,9 +51,9 @@ pub fn table_rows() -> impl Iterator<Item = TableRow> {
     })
 }
 
-/// The mistakes that give the picture with this hash. Each comes with the name of the picture that
-/// should have been drawn, once for each name. The likeliest come first: those that the book shows,
-/// then those that change little.
+/// Finds the mistakes that produce the picture with this hash. Each comes with the name of the
+/// picture that should have been drawn, and occurs once for each such name. The likeliest come
+/// first: those that the book shows, then those that change the least code.
 pub fn find_mistakes_with_hash(hash: u64) -> Vec<(&'static Mistake, &'static str)> {
     let all = mistakes().iter().zip(table_rows());
     let mut mistakes_and_names: Vec<_> = all
@@ -70,7 +70,7 @@ pub fn find_mistakes_with_hash(hash: u64) -> Vec<(&'static Mistake, &'static str
     mistakes_and_names
 }
 
-/// The names of all pictures to compare with: those of the steps, then those of the examples in the
+/// Returns the names of all locked pictures: those of the steps, then those of the examples in the
 /// order of their steps.
 pub fn locked_names() -> Vec<&'static str> {
     locked_hashes().map(|(name, _)| name).collect()
@@ -79,19 +79,19 @@ pub fn locked_names() -> Vec<&'static str> {
 /// The columns and rows of a small picture.
 pub const SMALL_SIZE: [u32; 2] = [320, 180];
 
-/// Makes the small picture of a picture.
+/// Scales a picture down to a small picture.
 pub fn make_small_picture(picture: &RgbImage) -> RgbImage {
     let [columns, rows] = SMALL_SIZE;
     thumbnail(picture, columns, rows)
 }
 
-/// The file with the small pictures of a step.
+/// Returns the path of the file with the small pictures for a step.
 pub fn small_pictures_path(workspace: &Path, step: Step) -> PathBuf {
     workspace.join(format!("book/crates/course/mistakes/{}.png", step.name()))
 }
 
-/// Reads the small pictures of a step that are checked in, each with its name in the table. If the
-/// file has fewer pictures than the table has names, the last names are missing.
+/// Reads the checked-in small pictures for a step, each with its name in the table. If the file has
+/// fewer pictures than the table has names, the last names are left out.
 pub fn read_small_pictures(
     workspace: &Path,
     step: Step,
