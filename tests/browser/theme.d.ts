@@ -66,8 +66,12 @@ interface Book {
 
   // search-index.js
 
-  /** For each page its name and its title, and the id, the title, the prose and the listings of each section. */
-  searchIndex: [string, string, [string, string, string, string][]][];
+  /** For each page its name and its title, and the id, title, prose, listings and readers' phrases of each section. */
+  searchIndex: [string, string, [string, string, string, string, string[]][]][];
+  /** The section to read, the compiler's messages, and a sentence that says what to do. */
+  searchHints: [string, string[], string][];
+  /** Groups of words that mean nearly the same. */
+  searchSynonyms: string[][];
 }
 
 interface UndoHistory<State> {

@@ -91,7 +91,7 @@ fn write_and_check_pages(workspace: &Path, folder: &Path) -> Result<Site> {
         write_page_file(&folder, &mut files, name, html)?;
     }
     let mut site = Site::new(files);
-    let index = search::index_script(&site)?;
+    let index = search::index_script(&site, search::READER_WORDS)?;
     write_page_file(&folder, &mut site.files, "search-index.js".to_owned(), index)?;
     Faults::ensure_none(links::find_faults(&site))?;
     Ok(site)

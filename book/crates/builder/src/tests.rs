@@ -133,10 +133,27 @@ fn what_leads_nowhere_or_fetches_from_elsewhere_is_a_fault() {
     insta::assert_snapshot!(faults.join("\n"));
 }
 
-#[test]
-fn search_has_the_sections_of_a_page_but_no_answer_and_nothing_hidden() {
+fn small_site() -> Site {
     let html = include_str!("tests/sections.html");
     let pages = ["a.html", "index.html"].map(|name| (name.to_owned(), Page::parse(name, html)));
-    let site = Site { files: Files([].into()), pages: pages.into() };
-    insta::assert_snapshot!(search::index_script(&site).expect("a script"));
+    Site { files: Files([].into()), pages: pages.into() }
+}
+
+#[test]
+fn search_has_the_sections_of_a_page_but_no_answer_and_nothing_hidden() {
+    insta::assert_snapshot!(search::index_script(&small_site(), "").expect("a script"));
+}
+
+#[test]
+fn search_has_the_words_of_readers() {
+    let words = include_str!("tests/search_words.txt");
+    insta::assert_snapshot!(search::index_script(&small_site(), words).expect("a script"));
+}
+
+#[test]
+fn words_of_readers_for_a_section_that_is_gone_are_a_fault() {
+    let words =
+        "@ a.html#a\nreal words\n\n@ a.html#gone\nwords\n\n@ b.html#b\n! E0001 → A sentence.\n";
+    let error = search::index_script(&small_site(), words).expect_err("two faults");
+    insta::assert_snapshot!(error);
 }
