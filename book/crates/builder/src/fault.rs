@@ -12,7 +12,7 @@ use thiserror::Error;
 pub struct Fault {
     /// The line, counted from 1.
     pub line: usize,
-    /// The error there.
+    /// The error on that line.
     pub error: ChapterError,
 }
 

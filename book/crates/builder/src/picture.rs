@@ -48,14 +48,14 @@ pub fn markdown_html(
     sources: &Sources,
     loading: &mut Loading,
 ) -> ChapterResult<String> {
-    // The caption may contain links, too, so the alt text ends at the first match.
+    // The caption may contain links as well, so the alt text ends at the first match.
     let end = format!("]({source}");
     let alt = markdown.trim_start_matches("![").split(&end);
     let alt: Vec<_> = alt.take(1).flat_map(str::split_whitespace).collect();
     html(&effect_of_picture(source).unwrap_or(alt.join(" ")), source, sources, loading)
 }
 
-/// What the list of mistakes says about a mistake's picture, or None for any other picture.
+/// Returns what the list of mistakes says about a mistake's picture, or None for any other picture.
 fn effect_of_picture(source: &str) -> Option<String> {
     let name = source.strip_prefix("generated/mistake-")?.strip_suffix(".png")?;
     let all = mistakes();

@@ -31,7 +31,7 @@ pub fn rows_markdown(words: &str, values: &Values) -> ChapterResult<String> {
     let count = (0..)
         .take_while(|k| values.text(&format!("{picture}:{last}{k}"), Notation::Prose).is_ok())
         .count();
-    // If the last name doesn't exist at all, the first row reports it.
+    // If the last column doesn't exist at all, the first row reports that.
     (0..count.max(1)).map(|k| row_markdown(picture, &columns, k, values)).collect()
 }
 

@@ -64,7 +64,7 @@ pub struct Position {
 /// A problem whose `{{#end}}` hasn't been reached yet.
 #[derive(Debug)]
 pub struct OpenProblem {
-    /// The first line, or None if it is an error.
+    /// The heading, or None if the first line is an error.
     heading: Option<Heading>,
     /// The start of the first line.
     pub start: usize,

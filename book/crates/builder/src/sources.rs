@@ -71,7 +71,7 @@ pub fn small_picture_name(step: Step) -> String {
 }
 
 /// Inserts a script that contains these bytes. A page that was opened from a folder can load
-/// scripts but not data, so data has to come as a script.
+/// scripts but no other files, so data has to come as a script.
 fn insert_script(files: &mut BTreeMap<String, Vec<u8>>, name: &str, bytes: &[u8]) {
     let bytes = BASE64_STANDARD.encode(bytes);
     let script = format!("book.modules.provide(\"{name}\", \"{bytes}\");\n");
