@@ -79,8 +79,8 @@ impl Control<'_> {
         self.figure.editable_scene.as_ref().and(self.parameter.id.object())
     }
 
-    /// Whether the control is shown before the reader touches anything. In an editable scene, those
-    /// of the first object with a handle are.
+    /// Whether the control is shown before the reader touches anything. In an editable scene, only
+    /// the controls of the first object that has a handle are shown then.
     fn is_shown_at_first(&self) -> bool {
         let Self { figure, parameter } = self;
         let handle = figure.handles.first().filter(|_| figure.editable_scene.is_some());

@@ -9,8 +9,8 @@ use std::fmt::{self, Display, Formatter};
 pub struct Directive<'a> {
     /// Its kind, such as `figure`.
     pub kind: &'a str,
-    /// The rest of it, such as `ray`. It may contain further directives, as in `{{#predict Why
-    /// {{#value row:D}}?}}`.
+    /// The rest of it, such as `ray`. It may contain further directives, as in
+    /// `{{#predict Why {{#value row:D}}?}}`.
     pub words: &'a str,
 }
 

@@ -10,7 +10,7 @@
 //!
 //! - A *listing* is a code fence with a single `include` of a file or part of a file. It marks the
 //!   places that a reader may edit (`course::Place`). In a fence `rust,own_scene`, the page updates
-//!   it when the reader changes that scene.
+//!   the listing when the reader changes that scene.
 //! - A *console* is a code fence with commands: `console,ours` for our folder, `console,yours` for
 //!   the reader's, and `console,yours,refused` or `console,yours,fails` if the command is meant to
 //!   be refused or to fail, which a test verifies.

@@ -13,9 +13,10 @@ use std::sync::LazyLock;
 
 static PLACES: LazyLock<Vec<Place>> = LazyLock::new(course::all_listed_places);
 
-/// Returns the listing for `{{#include path}}`, or for part of a file, such as `{{#include
-/// ../../steps/step02_sphere/src/sphere.rs:..impl Sphere}}`. The caption names the file, and says
-/// whether a part is the file's beginning or has to be added below the code typed so far.
+/// Returns the listing for `{{#include path}}`, or for part of a file, such as
+/// `{{#include ../../steps/step02_sphere/src/sphere.rs:..impl Sphere}}`. The caption names the
+/// file, and says whether a part is the file's beginning or has to be added below the code typed so
+/// far.
 ///
 /// The path is relative to the chapters. Files in `book/reader` and `book/typed` are captioned as
 /// files in the reader's own folder. The first listing of a file on a page gets an id for links,

@@ -97,7 +97,7 @@ fn count(name: &str) -> Option<usize> {
             let nearest = nearest(&OBJECTS, ray).map(|hit| hit.object);
             hit_indices(ray).last().map(|k| &OBJECTS[k]) != nearest
         }),
-        // This is the sphere behind the eye, whose roots are negative.
+        // Object 4 is the sphere behind the eye. Its roots are negative.
         "step03-behind" => count_rays(|ray| discriminant(&OBJECTS[4].sphere, ray) >= 0.0),
         "step05-gate-pixels" => changes_without_gate().len(),
         "step05-gate-most" => changes_without_gate().into_iter().max().unwrap_or(0),
