@@ -1,4 +1,4 @@
-// The search leads to the section to which a teacher would send a reader, and the page shows it.
+// The search finds the section to which a teacher would send a reader, and the page scrolls to it.
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { expect, open, test } from './fixtures.js';
@@ -105,7 +105,8 @@ test('Enter goes to the heading', async ({ page, home }) => {
 
 test('the search keeps the reader’s place, and offers near matches', async ({ page, home }) => {
   await open(page, `${home}step03_nearest.html`);
-  // Lay out everything first, since parts that are laid out above move the reader's place, too.
+  // Lay out everything first, since a part above that is laid out later would move the reader's
+  // place as well.
   await page.locator('main > *').evaluateAll(parts => parts.forEach(part => { part.style.contentVisibility = 'visible'; }));
   await page.evaluate(() => scrollTo(0, 2000));
   const place = await page.evaluate(() => scrollY);
@@ -125,7 +126,7 @@ test('names of JavaScript are words, and ten thousand letters don\'t hold the pa
   await open(page, `${home}step03_nearest.html`);
   for (const word of ['constructor', '__proto__', 'hasOwnProperty', 'toString']) {
     await search(page, word);
-    // Similar words may be found, but no words of `function Object() { [native code] }`.
+    // Similar words may be found, but not the words of `function Object() { [native code] }`.
     const found = await page.locator('#search-results em').allTextContents();
     expect(found.filter(text => /^(object|native|code|function)s?$/i.test(text)), word).toEqual([]);
   }

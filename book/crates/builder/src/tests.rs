@@ -27,7 +27,7 @@ fn a_chapter_is_expanded() {
     insta::assert_snapshot!(expand(text).markdown_with_sheet("The sheet.\n"));
 }
 
-/// The kinds of the directives in a text, such as `value` of `{{#value row:D}}`.
+/// The kinds of the directives in a text, such as `value` for `{{#value row:D}}`.
 fn directive_kinds(text: &str) -> BTreeSet<&str> {
     let directives = text.split("{{#").skip(1);
     directives.filter_map(|directive| directive.split([' ', '}']).next()).collect()
@@ -44,7 +44,7 @@ fn directives_of_the_chapters_are_listed_and_expanded_above() {
         if !list.contains(&format!("*{kind}*")) && !list.contains(&format!("`{kind}`")) {
             faults.insert(format!("The list at the top of lib.rs has no {kind}."));
         }
-        // The caller of `expand_chapter` gives the text of this one.
+        // The text of this one depends on the caller of `expand_chapter`.
         if kind != "our-folder" && !expanded.contains(kind) {
             faults.insert(format!("tests/one_of_each.md has no {{{{#{kind}}}}}."));
         }
@@ -55,12 +55,12 @@ fn directives_of_the_chapters_are_listed_and_expanded_above() {
 #[test]
 fn each_fault_is_told_with_its_line() {
     let faults = list_faults(include_str!("tests/faults.md"));
-    // The message for a file that doesn't exist differs between systems.
+    // The message for a missing file differs between systems.
     let not_found = io::Error::from_raw_os_error(2).to_string();
     insta::assert_snapshot!(faults.replace(&not_found, "[not found]"));
 }
 
-/// Few programs except browsers support variables and `light-dark`.
+/// Few programs other than browsers support variables and `light-dark`.
 #[test]
 fn files_of_figures_have_a_plain_style() {
     let files: Vec<_> = SOURCES.generated.texts_with_suffix(".svg").collect();
