@@ -1,5 +1,5 @@
-//! The locked pictures, of the steps, the exercises, the chapters and the cover. Each is compared
-//! with its snapshot by a test of its own name, before any other test runs.
+//! Compares every locked picture (of the steps, exercises and chapters, and the cover) with its
+//! snapshot, in a test named after the picture. These tests run before all others.
 
 use course::{draw_panels, workspace};
 use image::{Rgb, RgbImage};
@@ -8,7 +8,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use support::{compare_pixels, locked_pictures};
 
-/// Defines a test for each of the names.
+/// Defines one test per name.
 macro_rules! test_pictures {
     ($($name:ident)*) => {
         $(
@@ -46,16 +46,16 @@ fn each_snapshot_has_a_test_of_its_name() {
     assert!(orphans.is_empty(), "no test draws {orphans:?}");
 }
 
-/// The files in a folder and in those below it.
+/// Returns all files in a folder and its subfolders.
 fn files_below(folder: &Path) -> Vec<PathBuf> {
     let paths = fs::read_dir(folder).expect("a folder").flatten().map(|entry| entry.path());
     let files = paths.map(|path| if path.is_dir() { files_below(&path) } else { vec![path] });
     files.flatten().collect()
 }
 
-/// The name of a snapshot of words is the function of its test, or a string in its crate. Only
-/// insta knows for certain which snapshots are compared (`cargo insta test --unreferenced=reject`),
-/// but a name that occurs nowhere belongs to no test.
+/// A text snapshot is named after its test function, or by a string in its crate. Only insta knows
+/// for certain which snapshots are compared (`cargo insta test --unreferenced=reject`), but one
+/// whose name occurs nowhere can't belong to any test.
 #[test]
 fn each_snapshot_of_words_has_its_name_in_its_crate() {
     let (mut orphans, mut count) = (vec![], 0);

@@ -1,17 +1,19 @@
 "use strict";
 
-// What every page has: the theme, the contents, the listings, the problems on paper, and the loading of the
-// other scripts.
+// What every page needs: the theme, the contents, the listings, the problems on paper, and the
+// loading of the other scripts.
 
-// The one name that the scripts share. Each adds its part, and tests/browser/theme.d.ts says what each part is.
+// The only name that the scripts share. Each script adds its part to it, and
+// tests/browser/theme.d.ts describes all parts.
 /** @type {Book} */
 const book = /** @type {any} */ ({ root: document.documentElement });
 {
     const { root } = book;
     root.classList.add("js");
 
-    // Under Trusted Types, a page may only be given HTML that these scripts write, and may only load their
-    // addresses. If a server allows no policy, whatever needs one says so.
+    // Under Trusted Types, a page only accepts HTML that these scripts write, and only loads
+    // scripts from addresses that they name. If a server allows no policy, each feature that needs
+    // one reports it.
     const ownAddresses = new Set();
     let isOwnHTML = false;
     try {
@@ -89,10 +91,10 @@ const book = /** @type {any} */ ({ root: document.documentElement });
     }
     book.History = History;
 
-    // A part that has come near the view stays laid out.
+    // Once a part of the page has come near the view, it stays laid out.
     book.whenNear(document.querySelectorAll("main > *"), part => { part.style.contentVisibility = "visible"; });
 
-    // Theme: as the system has it, light or dark.
+    // Theme: the system's choice, light or dark.
     {
         const themes = ["auto", "light", "dark"];
         const button = document.getElementById("theme-toggle");
@@ -111,14 +113,14 @@ const book = /** @type {any} */ ({ root: document.documentElement });
         });
     }
 
-    // Contents: mark this chapter, and list its sections with links to them.
+    // Contents: mark the current chapter, and list its sections as links.
     {
         const contents = document.getElementById("contents");
         contents.addEventListener("click", event => {
             if (/** @type {Element} */ (event.target).closest("a")) contents.hidePopover();
         });
         const links = [...contents.querySelectorAll("a")];
-        // Some servers leave out the end of a file's name.
+        // Some servers leave out the extension of a file's name.
         /** @param {{ pathname: string }} url */
         const name = url => url.pathname.split("/").pop().replace(/\.html$/, "");
         const here = links.find(a => name(a) === name(location)) ?? (["", "index"].includes(name(location)) ? links[0] : null);
@@ -131,7 +133,7 @@ const book = /** @type {any} */ ({ root: document.documentElement });
                 list.append(book.make("li", {}, book.make("a", { href: `#${heading.id}` }, ...words)));
             }
             if (list.children.length) here.closest("li").append(list);
-            // Measured in the next frame, for which the page is laid out anyway.
+            // Measure in the next frame, since the page is laid out for it anyway.
             requestAnimationFrame(() => {
                 if (contents.scrollHeight > contents.clientHeight) here.scrollIntoView({ block: "center" });
             });
@@ -151,12 +153,12 @@ const book = /** @type {any} */ ({ root: document.documentElement });
         book.trustAddress(address);
         try {
             document.head.append(Object.assign(script, { src: address, async: isLarge, onload, onerror }));
-        } catch { // The server's policy forbids that a script loads another one.
+        } catch { // The server's policy forbids scripts from loading scripts.
             onerror();
         }
     });
 
-    // Says once that a script of the page is missing.
+    // Says that one of the page's scripts is missing, at most once per page.
     /** @param {string} file */
     function sayMissing(file) {
         if (document.querySelector(".missing")) return;
@@ -165,13 +167,14 @@ const book = /** @type {any} */ ({ root: document.documentElement });
         document.querySelector("main").prepend(book.make("p", { class: "missing refused", role: "status" }, words));
     }
 
-    // Code: it is coloured when it comes near the view, and each listing has a button that copies it.
+    // Code: it is coloured when it comes near the view, and each listing has a button to copy it.
     const isWhole = document.body.matches(".whole");
     book.colourCode = code => {
         try { book.writeHTML(() => window.hljs?.highlightBlock(code)); } catch { /* It stays without colours. */ }
     };
     book.colour = code => void book.load("highlight.js").then(isLoaded => isLoaded && setTimeout(() => {
-        // A listing that is being edited stays as it is. If one of its lines has the focus, it gets it back.
+        // Leave a listing alone while it is being edited. If one of its lines has the focus, give
+        // the focus back to it afterwards.
         if (code.querySelector("[data-book]")) return;
         const name = code.querySelector(":focus")?.dataset.line;
         book.colourCode(code);
@@ -187,7 +190,8 @@ const book = /** @type {any} */ ({ root: document.documentElement });
             const copy = /** @type {Element} */ (code.cloneNode(true));
             const edited = copy.querySelectorAll("[data-book]");
             for (const line of edited) line.textContent = line.dataset.book;
-            // Add the blank lines that the file has there, so that its parts can be pasted below each other.
+            // Add the blank lines that follow in the file, so that its parts can be pasted one
+            // below the other.
             const lines = Number(caption.parentElement.style.getPropertyValue("--lines"));
             const ends = lines + 1 - copy.textContent.split("\n").length;
             const text = copy.textContent + "\n".repeat(Math.max(0, ends));
@@ -195,14 +199,15 @@ const book = /** @type {any} */ ({ root: document.documentElement });
         });
     }
 
-    // Problems on paper: a number is right if its error is at most the tolerance, a fraction of the answer.
+    // Problems on paper: a number is right if its error, as a fraction of the answer, is at most
+    // the tolerance.
     for (const problem of isWhole ? [] : document.querySelectorAll(".problem")) {
         const [answer, tolerance] = [problem.dataset.answer, problem.dataset.tolerance].map(Number);
         const number = problem.querySelector(".number").textContent;
         const input = book.make("input", { required: "", placeholder: "your number", autocomplete: "off", "aria-label": `Your number for problem ${number}` });
         const verdict = book.make("output", {});
         const form = book.make("form", {}, input, book.make("button", {}, "Check"), verdict);
-        // A comma is a decimal point, or separates thousands.
+        // A comma may be a decimal point or separate thousands, so try both.
         /** @param {string} text */
         const judge = text => {
             const errors = [text, text.replace(/,(?=\d{3})/g, "")].map(one => book.readNumber(one) - answer).filter(Number.isFinite);
@@ -220,13 +225,14 @@ const book = /** @type {any} */ ({ root: document.documentElement });
         problem.insertBefore(form, problem.querySelector("details"));
     }
 
-    // Parts that may scroll sideways take the focus, so that the keyboard can scroll them.
+    // Make parts that may scroll sideways focusable, so that the keyboard can scroll them.
     document.querySelectorAll("main :is(pre, .table-wrapper)").forEach(part => { part.tabIndex = 0; });
 
-    // Translators should leave code, formulas and labels as they are.
+    // Tell translation programs to leave code, formulas and labels alone.
     document.querySelectorAll("code, math, svg, .symbol, .path").forEach(part => part.setAttribute("translate", "no"));
 
-    // The scripts that only some pages need, with what needs them. Each is run after those before it.
+    // The scripts that only some pages need, each with a selector for what needs it. They are run
+    // in this order.
     const SCRIPTS = {
         wasm: "[data-live], [data-check], [data-places]", handle: "figure[data-live]", own_scene: "figure[data-live=own_scene]",
         figure: "figure[data-live]", check_form: "form[data-check]", line_editor: "[data-places]",
@@ -235,8 +241,8 @@ const book = /** @type {any} */ ({ root: document.documentElement });
     /** @param {string} file */
     const loadOrSay = file => book.load(file).then(isLoaded => isLoaded || sayMissing(file));
 
-    // A page can be read without colours, without what is interactive and without the search: they come once it is
-    // shown.
+    // A page can be read without colours, interactive parts and search, so these are loaded after
+    // it is shown.
     requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(() => {
         book.whenNear(document.querySelectorAll("pre > code:is(.language-rust, .language-toml)"), book.colour);
         for (const [name, selector] of Object.entries(isWhole ? {} : SCRIPTS)) {

@@ -1,8 +1,10 @@
 "use strict";
 
-// The forms that say whether a picture is right: what `check` says of the file, which is sent nowhere.
+// The forms that say whether a picture is right. `check` looks at the file in the browser, and the
+// file isn't sent anywhere.
 {
-    // The module works in a worker, so that the page can be read meanwhile. A new file, or Reset, ends it.
+    // The module runs in a worker, so that the page stays usable meanwhile. Choosing a new file, or
+    // Reset, terminates the worker.
     const source = `const book = { ask: ${book.ask}, startModule: ${book.startModule} };
         onmessage = async ({ data: [module, file, request] }) => {
             const reply = book.ask(await book.startModule(module), request, new Uint8Array(file));
@@ -14,7 +16,7 @@
 
     const LABELS = ["Yours", "Ours", "The difference: orange where yours is brighter, blue where it's darker"];
 
-    // The lines of a reply, and its pictures side by side.
+    // Makes elements for the lines of a reply and for its pictures, which are placed side by side.
     /** @param {CheckReply} reply */
     function makeReport({ lines: [headline, ...details], size, pixels }) {
         const report = book.make("span", { class: "report" }, book.make("b", {}, headline), details.join("\n"));
@@ -52,7 +54,7 @@
             } catch {
                 return show(2, `This page can't check ${file.name}. In our folder, run: cargo run --bin check`);
             }
-            // A reply that comes after Reset, or after a newer file, is ignored.
+            // Ignores a reply that arrives after Reset, or after a newer file was chosen.
             /** @param {number | ""} exitCode @param {(Node | string)[]} children */
             const showIfAsked = (exitCode, ...children) => {
                 if (asked === worker) show(exitCode, ...children);
@@ -63,12 +65,13 @@
             const { scene: field } = /** @type {any} */ (form.elements);
             const scene = field?.value.trim().normalize();
             const request = `check ${scene ? `@${scene}` : form.dataset.check}\n${file.name}`;
-            // `check` refuses a larger file, so the rest of it isn't needed.
+            // `check` refuses larger files, so the rest of the file isn't needed.
             Promise.all([book.modules.compile("check"), file.slice(0, 2 ** 26 + 1).arrayBuffer()])
                 .then(parts => asked.postMessage([...parts, request]), fail);
         };
         form.addEventListener("change", () => { if (input.files.length) checkFile(input.files[0]); });
-        // Clear the field, so that choosing the same file again after a change is an event, too.
+        // Clear the field, so that choosing the same file again, after it has changed, also fires
+        // an event.
         input.addEventListener("click", () => { input.value = ""; });
         form.addEventListener("reset", () => show(""));
         form.addEventListener("drop", ({ dataTransfer: { files } }) => {
@@ -81,6 +84,6 @@
     /** @type {NodeListOf<HTMLFormElement>} */
     const forms = document.querySelectorAll("form[data-check]");
     forms.forEach(activate);
-    // If a file is dropped beside a form, the browser must not open it in place of the page.
+    // If a file is dropped beside a form, keep the browser from opening it in place of the page.
     for (const kind of forms.length ? ["dragover", "drop"] : []) addEventListener(kind, event => event.preventDefault());
 }

@@ -7,7 +7,8 @@
         ArrowLeft: ["horizontal", -1], ArrowRight: ["horizontal", 1], ArrowDown: ["vertical", -1], ArrowUp: ["vertical", 1],
     };
 
-    // A slider that follows pointer, finger and arrow keys. `index` is its number among the handles.
+    // A slider that follows the pointer, a finger and the arrow keys. `index` is its index in the
+    // list of handles.
     book.Handle = class {
         /** @param {InteractiveFigure} figure @param {HandleAbout} about @param {number} index */
         constructor(figure, about, index) {
@@ -18,7 +19,8 @@
             this.object = figure.controlOf(about.horizontal).object;
             /** @type {[number, number] | null} */
             this.position = null;
-            // What is dragged keeps its distance from the pointer.
+            // From the pointer to the handle, so that the handle doesn't jump to the pointer when a
+            // drag begins.
             this.offset = [0, 0];
             this.element = book.make("span", {
                 class: `handle handle-${about.mark}`, role: "slider", tabindex: 0, "aria-label": about.words, title: about.words,
@@ -47,8 +49,8 @@
             this.figure.drawNextFrame("drag", this.index, x + this.offset[0], y + this.offset[1]);
         }
 
-        // Moves it towards the reader, or away.
-        /** @param {number} length in pixels of the screen */
+        // Moves the handle's object towards the reader, or away.
+        /** @param {number} length in screen pixels */
         changeDepth(length) {
             const { depth } = this.about;
             this.figure.setValue(depth, this.figure.values[depth] + length / 30);
@@ -64,16 +66,17 @@
             const isReversed = direction === "vertical" && axis === "down";
             const steps = (event.shiftKey ? 10 : 1) * sign * (isReversed ? -1 : 1);
             this.figure.setValue(id, this.figure.values[id] + steps * step);
-            // Keys follow each other faster than frames, and none is lost. A probe leaves the picture as it is.
+            // Keys may repeat faster than frames are drawn, and no press may be lost. Moving a
+            // probe doesn't change the picture, so only the numbers are asked for.
             this.figure.drawMoving(this === this.figure.probe ? "read" : "show");
         }
 
-        // Puts the handle where the last reply has it.
+        // Puts the handle at its position in the last reply.
         show() {
             const { figure, element, about } = this;
             const { values, reply: { positions, texts }, size } = figure;
             this.position = positions[this.index];
-            // Rounded to its step, a handle at the border may be a little outside.
+            // Its value is rounded to a step, so a handle at the border may be a little outside.
             const isInside = this.position?.every((x, k) => -4 <= x && x <= size[k] + 4) ?? false;
             const isLost = !isInside && element === document.activeElement;
             element.hidden = !isInside;

@@ -6,91 +6,228 @@
     const field = /** @type {HTMLInputElement} */ (document.getElementById("search-field"));
     const [toggle, status, list] = ["search-toggle", "search-status", "search-results"].map(id => document.getElementById(id));
 
-    // Words that readers use, each with the book's own word for it.
-    const SYNONYMS = new Map(Object.entries({
-        acne: "rash", antialiasing: "rays pixel", bvh: "bounding volume", center: "centre", closest: "nearest", color: "colour",
-        epsilon: "rash", falloff: "attenuation", intersection: "meet", performance: "faster", samples: "rays pixel",
-        shiny: "shininess", spotlight: "spot light", supersampling: "rays pixel", theta: "θ", zbuffer: "nearest hit",
-    }));
     // Longer queries take long and find nothing.
-    const MOST_LETTERS = 100, MOST_WORDS = 16;
+    const MOST_LETTERS = 100, MOST_WORDS = 16, MOST_RESULTS = 30;
     field.maxLength = MOST_LETTERS;
+
+    // Words. A query and the index take the same way: the words of a text, and the terms of a word.
+
     const WORD = /[\p{L}\p{N}_]+/gu;
     /** @type {(text: string) => string[]} */
     const findWords = text => text.match(WORD) ?? [];
     // Words that say nothing about the subject of a query.
-    const SMALL_WORDS = /^(an?|as|at|by|do(es)?|for|from|how|in|is|it|of|on|or|the|to|what|with)$/i;
-    /** @param {string} query */
-    const findSubjects = query => {
-        const words = findWords(query), subjects = words.filter(word => !SMALL_WORDS.test(word));
-        return (subjects.length ? subjects : words).slice(0, MOST_WORDS);
-    };
-    // Reduces a word to lower case, without the common endings of plurals and nouns.
-    /** @param {string} word */
-    const stem = word => word.toLowerCase().replace(/(?<=...)(ion)?s?$/, "");
-    // The terms by which a word is found. A name such as `to_radians` is found by its parts, too.
-    /** @param {string} word */
-    const findTerms = word => [word, ...word.split("_")].filter(Boolean).map(stem);
-    // The weight of a section. Chapters come first, and early sections before later ones, since they explain things
-    // first. Pages that only repeat the chapters come last.
-    /** @type {(section: Section, id: number) => number} */
-    const weigh = ({ page }, id) => (1.4 - id / sections.length)
-        * (/^(mistakes|solutions|problems|teaching)/.test(page) ? 0.2 : /^(notation|slips|lecture|how)/.test(page) ? 0.5 : 1);
+    const SMALL_WORDS = new Set(findWords(`a about again all also always am an and any anything are aren around as at be been
+        but by came can come comes completely could did didn do does doesn don entire even ever every everything for from gave
+        get gets give gives go goes got had happen happens has have how i if in instead into is isn it its just know like ll
+        look looking looks lot make makes making many matter me mean most much must my need of on or our out quite really s seem seems
+        shall should show so some still strange t take takes tell tells than that the their them then there these they thing
+        things this to too totally use using very want was wasn we weird were what when where which who whole why will with
+        work works would you your`));
+    // Spellings, and names of letters, each with the one that is used here.
+    const SPELLINGS = /** @type {[RegExp, string][]} */ ([
+        [/color/, "colour"], [/center/, "centre"], [/gray/, "grey"], [/iz(?=e|ing|ation)/, "is"], [/^theta$/, "θ"], [/^alpha$/, "α"],
+    ]);
 
-    /** @typedef {{ page: string, hash: string, chapter: string, title: string, prose: string, listings: string }} Section */
+    // A word in lower case, in the spelling that is used here, and without the ending of a plural.
+    /** @param {string} word */
+    function stem(word) {
+        const spelled = SPELLINGS.reduce((text, [from, to]) => text.replace(from, to), word.toLowerCase());
+        return spelled.replace(/(?<=x|ss|ch|sh)es$|(?<=..[^isu])s$/, "").replace(/^(len|axi)$/, "$1s");
+    }
+
+    // What a root is replaced with that means nearly the same as another.
+    /** @type {Map<string, string>} */
+    const synonyms = new Map();
+    /** @param {string} text */
+    const withoutEnding = text => text.replace(/(?<=[aeiouy].*.)(?<=....)(ation|ate|ion|ive|ing|ed|er|ier|iness|ness|e|l?y)$/, "");
+
+    // What a stemmed word has in common with its other forms and with its synonyms, such as `~reflect`.
+    /** @param {string} word */
+    function findFamily(word) {
+        const root = withoutEnding(withoutEnding(word)).replace(/([bdgmnprt])\1$/, "$1");
+        return `~${synonyms.get(root) ?? root}`;
+    }
+
+    // The terms by which a word is found: itself, its family, and the parts of a name such as `to_radians`.
+    /** @param {string} word */
+    function findTerms(word) {
+        const parts = word.includes("_") ? word.split("_").filter(Boolean) : [];
+        return [...[word, ...parts].map(stem), findFamily(stem(word))];
+    }
+
+    // The stemmed words of a text that say what it is about: all but the small ones, if there are any others.
+    /** @param {string} text */
+    function findSubjects(text) {
+        const words = findWords(text), subjects = words.filter(word => !SMALL_WORDS.has(word.toLowerCase()));
+        return [...new Set((subjects.length ? subjects : words).slice(0, MOST_WORDS).map(stem))];
+    }
+
+    // A text without regard to case and to what is between its words.
+    /** @param {string} text */
+    const simplify = text => findWords(text.toLowerCase()).join(" ");
+
+    // The index.
+
+    /**
+     * A section of the book, with the phrases by which readers look for it. Its names are its title and these phrases.
+     * @typedef {{ page: string, id: string, chapter: string, title: string, prose: string, listings: string, phrases: string[],
+     *     lowerCase: string, names: { simple: string, families: string[] }[] }} Section
+     */
+
+    /**
+     * What MiniSearch found: a section, the terms of it that match, the fields in which each of them stands, and what we add.
+     * @typedef {{ id: number, score: number, terms: string[], match: Record<string, string[]>, share: number, isFound: boolean }} Result
+     */
 
     /** @type {Section[]} */
     let sections = [];
-    /** @type {any} */
+    /** @type {{ search(words: string, options?: object): Result[] }} */
     let index;
+    // All terms of the index.
+    const vocabulary = new Set();
+
     async function makeIndex() {
         await Promise.all([book.load("theme/minisearch.min.js"), book.load("search-index.js")]);
         if (!window.MiniSearch || !book.searchIndex) return book.write(status, "The search did not load. Close it and try again.");
-        sections = book.searchIndex.flatMap(([page, chapter, parts]) =>
-            parts.map(([hash, title, prose, listings]) => ({ page, hash, chapter, title, prose, listings })));
-        index = new MiniSearch({
-            fields: ["title", "chapter", "prose", "listings"], tokenize: findWords, processTerm: findTerms,
+        for (const group of book.searchSynonyms) {
+            const [first, ...others] = group.map(word => findFamily(stem(word)).slice(1));
+            for (const other of others) synonyms.set(other, first);
+        }
+        sections = book.searchIndex.flatMap(([page, chapter, parts]) => parts.map(([id, title, prose, listings, phrases]) => {
+            const titleWithoutTime = title.replace(/: [\d.]+ (minutes?|hours?)$/, "");
+            const names = [titleWithoutTime, ...phrases].map(text => ({ simple: simplify(text), families: findSubjects(text).map(findFamily) }));
+            return { page, id, chapter, title, prose, listings, phrases, names, lowerCase: `${title} ${prose} ${listings}`.toLowerCase() };
+        }));
+        const made = new MiniSearch({
+            fields: ["title", "chapter", "phrases", "prose", "listings"], tokenize: findWords,
+            processTerm: (/** @type {string} */ word) => {
+                const terms = findTerms(word);
+                terms.forEach(term => vocabulary.add(term));
+                return terms;
+            },
+            // A query is a list of terms.
             searchOptions: {
-                processTerm: stem, boost: { title: 3, listings: 0.5 }, weights: { fuzzy: 0.7, prefix: 0.3 },
-                boostDocument: (/** @type {number} */ id) => weigh(sections[id], id),
-                prefix: (/** @type {string} */ term) => term.length > 2, fuzzy: (/** @type {string} */ term) => /^\p{L}{5,}$/u.test(term) && 0.2,
+                tokenize: (/** @type {string} */ terms) => terms.split(" "), processTerm: (/** @type {string} */ term) => term,
+                boost: { title: 3, phrases: 2, listings: 0.5 },
+                boostTerm: (/** @type {string} */ term) => term.startsWith("~") ? 0.3 : 1,
             },
         });
-        index.addAll(sections.map((section, id) => ({ id, ...section })));
+        made.addAll(sections.map((section, id) => ({ ...section, id, phrases: section.phrases.join(" ") })));
+        index = made;
     }
 
-    // Finds the sections that have all words of a query, whether its hyphens separate words or join them.
-    /** @param {string} query */
-    function findAll(query) {
-        const queries = [" ", ""].map(link => findSubjects(query.replaceAll(/\b-\b/g, link))
-            .map(word => SYNONYMS.get(word.toLowerCase()) ?? word).join(" "));
-        return index.search({ queries: queries.map(words => ({ combineWith: "AND", queries: [words] })) });
+    // The search.
+
+    // Words of a query about a picture of one's own, or about something that is not as it should be.
+    const SYMPTOM = /\b(my|wrong|too|no|not|missing|instead|broken|strange|weird|only|looks?|all|everything|nothing|\w+n['’]t)\b/i;
+    // A sentence that says how something is, such as "the sky is green".
+    const STATEMENT = /^(?!wh|how|can|do)(\S+ ){1,3}(is|are|has|have|comes?)\b/i;
+    // Families that say little, though they matter in a name such as "no highlights".
+    const WEAK_FAMILIES = ["~pictur", "~no"];
+
+    // The weight of a section. Chapters come first, and early sections before later ones, since they explain things
+    // first. Pages that only repeat the chapters come last, but the mistakes come first if something is wrong.
+    /** @param {Section} section @param {number} place @param {boolean} isSymptom */
+    function weigh({ page }, place, isSymptom) {
+        const isRepetition = /^(mistakes|solutions|problems|teaching)/.test(page), isReference = /^(notation|slips|how|faster)/.test(page);
+        const weight = isSymptom && page === "mistakes.html" ? 3 : isRepetition ? 0.1 : isReference ? 0.5 : 1;
+        return weight * (1.4 - place / sections.length);
     }
+
+    // The terms of the index by which a stemmed word of a query is found. A word that the book doesn't have may have two
+    // letters swapped, be the beginning of one, or, if it is long, have one letter wrong.
+    /** @param {string} word */
+    function findKnownTerms(word) {
+        const terms = [word, findFamily(word)].filter(term => vocabulary.has(term));
+        if (terms.length) return terms;
+        const swaps = Array.from(word, (_, at) => word.slice(0, at) + [...word.slice(at, at + 2)].reverse().join("") + word.slice(at + 2));
+        const swapped = swaps.find(term => vocabulary.has(term));
+        if (swapped) return [swapped];
+        const begun = word.length > 1 ? index.search(word, { prefix: true }) : [];
+        const [near] = begun.length || word.length < 6 ? begun : index.search(word, { fuzzy: 1 });
+        return near?.terms.filter(term => !term.startsWith("~")) ?? [];
+    }
+
+    // Finds the sections that have more than half of a query's words, or a name that is half of it. The best come first.
+    /** @param {string} query */
+    function find(query) {
+        // Writers join words by a hyphen, or without one.
+        const joined = query.replace(/(\p{L}+)-(\p{L}+)/gu, (pair, left, right) => vocabulary.has(stem(left + right)) ? left + right : pair);
+        const words = findSubjects(joined).map(findKnownTerms);
+        const families = words.map(([term]) => term?.startsWith("~") ? term : findFamily(term ?? ""));
+        const strong = words.filter((_, at) => !WEAK_FAMILIES.includes(families[at])), counted = strong.length ? strong : words;
+        const isSymptom = SYMPTOM.test(query) || STATEMENT.test(query), hasUnknown = words.some(terms => !terms.length);
+        const lowerCase = query.toLowerCase(), simple = simplify(query), isLong = words.length > 1 || query.length > 4;
+        const results = index.search(words.flat().join(" "));
+        for (const result of results) {
+            const section = sections[result.id];
+            // The share of the query's words that stand in some field.
+            const share = (/** @type {RegExp} */ fields) => counted.filter(terms =>
+                terms.some(term => result.match[term]?.some(field => fields.test(field)))).length / counted.length;
+            const whole = section.names.filter(name => name.families.every(family => families.includes(family)));
+            const asName = Math.max(0, ...whole.map(name => name.families.length)) / words.length;
+            result.share = share(/./);
+            result.isFound = result.share > 0.5 || (asName >= 0.5 && !hasUnknown);
+            // The page's weight matters less for a section that is called by its name.
+            result.score *= weigh(section, result.id, isSymptom) ** (1 - asName / 2) * result.share ** 3
+                * (1 + 3 * share(/title|phrases/) ** 2) * (1 + 99 * asName ** 3)
+                * (isLong && section.lowerCase.includes(lowerCase) ? 2 : 1) * (section.names.some(name => name.simple === simple) ? 10 : 1);
+        }
+        return results.filter(result => result.isFound).sort((one, other) => other.score - one.score);
+    }
+
+    // Finds the hint for a message of the compiler or of Cargo.
+    /** @param {string} query */
+    function findHint(query) {
+        const text = ` ${simplify(query.replace(/^(error|warning)(?=[:[])/, "$1 of the compiler"))} `;
+        return book.searchHints.find(([, messages]) => messages.some(message => text.includes(` ${simplify(message)} `)));
+    }
+
+    // The page.
 
     function show() {
         if (!index) return;
         const query = field.value.trim().slice(0, MOST_LETTERS);
-        const all = findAll(query);
-        const results = all.length ? all : index.search(findWords(query).slice(0, MOST_WORDS).join(" "), { fuzzy: 0.4 });
-        list.replaceChildren(...results.map(makeItem));
-        const count = all.length === 1 ? "One section" : `${all.length} sections`;
-        const near = results.length ? "No section has all of it. These come near:" : "Nothing in the book comes near it.";
-        book.write(status, all.length ? count : query && near);
+        const hint = findHint(query), results = hint ? [] : find(query);
+        list.replaceChildren(...results.slice(0, MOST_RESULTS).map(makeItem));
+        if (hint) list.append(makeHint(hint[0], hint[2]));
+        else if (query && !results.length) list.append(makeHint("mistakes.html#what-went-wrong", "If something is wrong with your picture, look here."));
+        const count = results.length === 1 ? "One section" : `${results.length} sections`;
+        const shown = results.length > MOST_RESULTS ? `${count}. The first ${MOST_RESULTS}:` : count;
+        book.write(status, !query ? "" : hint ? "That’s a message from Rust." : !results.length ? "Nothing in the book comes near it."
+            : results.some(({ share }) => share === 1) ? shown : "No section has all of it. These come near:");
     }
 
-    // The list item of a section: its title, and the text around the first word that matches.
-    /** @param {{ id: number, terms: string[] }} result */
+    /** @param {Section} section */
+    const makeLink = ({ page, id, chapter, title }) =>
+        book.make("a", { href: `${book.root.dataset.root}${page}#${id}` }, title === chapter ? title : `${chapter}: ${title}`);
+
+    // The list item of the section at an address, with a sentence that says what to do.
+    /** @param {string} address @param {string} sentence */
+    function makeHint(address, sentence) {
+        const section = sections.find(({ page, id }) => `${page}#${id}` === address);
+        const words = sentence.split("`").map((part, at) => at % 2 ? book.make("code", {}, part) : part);
+        return book.make("li", {}, makeLink(section), book.make("span", { class: "teaser" }, ...words));
+    }
+
+    // The list item of a section: its title, and the text around the first word that matches. The text of a mistake begins
+    // with the sentence about its picture.
+    /** @param {Result} result */
     function makeItem({ id, terms }) {
-        const { page, hash, chapter, title, prose, listings } = sections[id];
-        const text = `${prose} ${listings}`;
-        const link = book.make("a", { href: `${book.root.dataset.root}${page}#${hash}` }, title === chapter ? title : `${chapter}: ${title}`);
+        const { prose, listings, phrases } = sections[id];
+        const text = [...phrases.filter(phrase => phrase.endsWith(".")), prose, listings].join(" ");
         /** @param {RegExpMatchArray} match */
         const isFound = ([word]) => findTerms(word).some(term => terms.includes(term));
         const { 0: word, index: at } = [...text.matchAll(WORD)].find(isFound) ?? { 0: "", index: 0 };
         const start = at < 60 ? 0 : text.indexOf(" ", at - 60) + 1;
-        return book.make("li", {}, link, book.make("span", { class: "teaser" }, start ? "… " : "", text.slice(start, at),
+        return book.make("li", {}, makeLink(sections[id]), book.make("span", { class: "teaser" }, start ? "… " : "", text.slice(start, at),
             book.make("em", {}, word), `${text.slice(at + word.length, at + 120).replace(/\s?\S*$/, "")} …`));
     }
+
+    // The query stays in this tab, so that it is there again after Back.
+    const KEPT_QUERY = "search";
+    try { field.value = sessionStorage.getItem(KEPT_QUERY) ?? ""; } catch { /* private */ }
+    const keepQuery = () => { try { sessionStorage.setItem(KEPT_QUERY, field.value); } catch { /* private */ } };
 
     async function open() {
         if (!box.open) box.showModal();
@@ -101,6 +238,17 @@
     toggle.addEventListener("click", open);
     box.querySelector("button").addEventListener("click", () => box.close());
     field.addEventListener("input", show);
+    box.addEventListener("close", keepQuery);
+    // A click outside closes the search, but not one that began inside, which selects text.
+    const isOutside = (/** @type {MouseEvent} */ { clientX: x, clientY: y }) => {
+        const { left, right, top, bottom } = box.getBoundingClientRect();
+        return x < left || right < x || y < top || bottom < y;
+    };
+    let beganOutside = false;
+    box.addEventListener("pointerdown", event => { beganOutside = isOutside(event); });
+    box.addEventListener("click", event => {
+        if (beganOutside && event.target === box && isOutside(event)) box.close();
+    });
     // Enter opens the first result, which may be on this page.
     field.form.addEventListener("submit", event => {
         event.preventDefault();
@@ -111,15 +259,17 @@
     });
     addEventListener("keydown", event => {
         const target = /** @type {HTMLElement} */ (event.target);
-        const isTyping = target.isContentEditable || /^(input|select|textarea)$/i.test(target.nodeName);
+        // Until the page is drawn again, the field of a closed search still has the focus.
+        const isTyping = target.isContentEditable || (/^(input|select|textarea)$/i.test(target.nodeName) && (box.open || target !== field));
         const step = { ArrowDown: 1, ArrowUp: -1 }[event.key];
-        if (event.altKey || event.ctrlKey || event.metaKey) return;
+        const isControlK = (event.ctrlKey || event.metaKey) && event.key.toLowerCase() === "k";
+        if (event.altKey || ((event.ctrlKey || event.metaKey) && !isControlK)) return;
         if (box.open && step) {
             // The arrow keys move through the results.
             /** @type {HTMLElement[]} */
             const stops = [field, ...list.querySelectorAll("a")];
             stops[stops.indexOf(/** @type {HTMLElement} */ (document.activeElement)) + step]?.focus();
-        } else if (["/", "s"].includes(event.key) && !isTyping) open();
+        } else if ((isControlK || ["/", "s"].includes(event.key)) && !isTyping) open();
         else return;
         event.preventDefault();
     });

@@ -1,8 +1,8 @@
 "use strict";
 
-// The modules, which are the code of the five crates: "live" draws the figures, "check" looks at the
-// reader's picture, and "expressions" draws with lines that the reader edits. The last two need the list
-// of mistakes, which is a script of its own.
+// The modules, which contain the code of the five crates: "live" draws the figures, "check" checks
+// the reader's picture, and "expressions" draws pictures with the lines that the reader has edited.
+// The last two need the list of mistakes, which is a separate script.
 {
     /** @type {Record<string, string>} */
     const files = {};
@@ -28,7 +28,8 @@
         drop: name => { delete modules[name]; },
     };
 
-    // A worker gets the source text of the next two functions: they use nothing but each other.
+    // A worker gets the source text of the next two functions, so they must not use anything but
+    // each other.
     book.startModule = async ({ module, mistakes }) => {
         const { exports } = await WebAssembly.instantiate(module);
         const started = /** @type {any} */ (exports);

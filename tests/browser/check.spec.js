@@ -1,8 +1,8 @@
-// The form that checks a picture recognises a right one and a wrong one.
+// The form that checks pictures recognises a right one and a wrong one.
 import { forms, picture } from './book.js';
 import { expect, open, test } from './fixtures.js';
 
-// The first form of each page is enough, since the others differ only by their names.
+// The first form on each page is enough, since the others differ only in their names.
 for (const [name, asked] of forms.filter(([, , k]) => k === 0)) {
   test(`${name}: the form looks at pictures`, async ({ page, home }) => {
     await open(page, home + name);
@@ -14,7 +14,7 @@ for (const [name, asked] of forms.filter(([, , k]) => k === 0)) {
       await input.setInputFiles({ name: `${right}.png`, mimeType: 'image/png', buffer: picture(given) });
       await expect(output).toHaveText(words, { timeout: 20_000 });
     }
-    // A browser reports that the same file was chosen again only if the field was empty.
+    // A browser only reports that the same file was chosen again if the field was empty.
     await input.dispatchEvent('click');
     await expect(input).toHaveValue('');
     const isDropped = await page.locator('h1').evaluate(one =>

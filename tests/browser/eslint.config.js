@@ -1,4 +1,4 @@
-// ESLint's recommended rules, for the scripts of the pages and for the browser tests.
+// ESLint's recommended rules, for the pages' scripts and the browser tests.
 import js from '@eslint/js';
 import { defineConfig } from 'eslint/config';
 import globals from 'globals';
@@ -10,7 +10,7 @@ export default defineConfig([
     files: ['book/theme/*.js'],
     languageOptions: { sourceType: 'script', globals: { ...globals.browser, book: 'readonly', MiniSearch: 'readonly' } },
   },
-  // It makes the name that the others share.
+  // This script defines the name that the others share.
   { files: ['book/theme/book.js'], languageOptions: { globals: { book: 'off' } } },
   {
     files: ['tests/browser/*.js'],

@@ -1,4 +1,5 @@
-// A figure looks as it is printed, changes by its handles and controls, and is restored by Reset.
+// Every figure first looks as printed, changes with its handles and controls, and is restored by
+// Reset.
 import { figures } from './book.js';
 import { expect, open, readPixels, test } from './fixtures.js';
 
@@ -10,7 +11,7 @@ for (const [name, figure, k] of figures) {
     await root.scrollIntoViewIfNeeded();
     await root.and(page.locator('[data-ready]')).waitFor({ timeout: 20_000 });
 
-    // Everything that is drawn, and the positions of the handles.
+    // Describes everything that is drawn, and the positions of the handles.
     const look = async () => {
       await page.evaluate(() => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done))));
       const pictures = await root.locator('.stage > :is(img, canvas)').all();
@@ -45,7 +46,7 @@ for (const [name, figure, k] of figures) {
       await expectChange(`a key on ${words}`);
     }
     const controls = await root.locator('.controls [data-parameter] input:visible').all();
-    // The reader's own scene has 19 controls, most of them alike.
+    // The reader's own scene has 19 controls, most of them alike, so 12 are usually enough.
     for (const control of controls.slice(0, process.env.THOROUGH ? undefined : 12)) {
       await control.focus();
       await page.keyboard.press(await control.evaluate(({ type, value, min }) => ({

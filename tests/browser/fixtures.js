@@ -1,5 +1,6 @@
-// Playwright's `test`, with a `home` where the book is, and a page that fails the test if the browser reports
-// an error, a request that leaves the book, or something that the policy forbids.
+// Playwright's `test`, with two fixtures: `home`, the address of the book, and a page that fails
+// the test if the browser reports an error, a request that leaves the book, or something that the
+// policy forbids.
 import { test as base, expect } from '@playwright/test';
 import { pathToFileURL } from 'node:url';
 import { folder } from './book.js';
@@ -7,7 +8,7 @@ import { serve } from './server.js';
 
 export { expect };
 
-// Firefox reports this for a formula that is drawn before all of it has arrived.
+// Firefox reports this for a formula that is laid out before all of it has arrived.
 const HARMLESS = /Incorrect number of children for <m/;
 
 export const test = base.extend({
@@ -44,7 +45,7 @@ export async function open(page, address) {
   await page.locator('script[src$="search.js"]').waitFor({ state: 'attached' });
 }
 
-// The pixels of an image or a canvas, as a data URL of a PNG file.
+// Returns the pixels of an image or a canvas, as a data URL of a PNG file.
 export const readPixels = picture => picture.evaluate(async one => {
   one.loading = 'eager';
   await one.decode?.();

@@ -1,10 +1,12 @@
-// When a reader edits a line of a listing, the picture is drawn, and the book's line can be restored.
+// When a reader edits a line in a listing, its picture is drawn, and the book's line can be
+// restored.
 import { expect, open, readPixels, test } from './fixtures.js';
 
 const STEP = 'step04_diffuse';
 const NORMAL = '(p - sphere.centre) / sphere.radius';
 
-// Opens the page with the line of the normal in view. Returns the line, its listing and its status.
+// Opens the page, and scrolls the line that computes the normal into view. Returns the line, its
+// listing, and the listing's status.
 async function prepare(page, home, hash = '') {
   await open(page, `${home}${STEP}.html${hash}`);
   const line = page.locator('[data-line=normal]');

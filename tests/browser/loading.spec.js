@@ -1,11 +1,11 @@
-// Pages report what they can't do, and work in unusual places.
+// Pages report what doesn't work, and cope with unusual servers, addresses and media.
 import { expect, open, test } from './fixtures.js';
 import { picture } from './book.js';
 import { POLICY, serve } from './server.js';
 
 const name = 'step01_rays.html';
 
-// Opens a page with its first figure in view.
+// Opens a page, and scrolls its first figure into view. Returns that figure.
 async function findFigure(page, address) {
   await open(page, address);
   const figure = page.locator('figure[data-live]').first();
@@ -14,7 +14,8 @@ async function findFigure(page, address) {
 }
 
 test('a module and a search that fail to load are loaded again', async ({ browser, home }) => {
-  // Not the fixture's page, since here the browser has to report that the first load failed.
+  // The fixture's page would fail the test, since here the browser has to report that the first
+  // load failed.
   const page = await browser.newPage();
   for (const file of ['live-module', 'search-index']) await page.route(`**/${file}.js`, route => route.abort(), { times: 1 });
   const figure = await findFigure(page, home + name);
@@ -63,7 +64,8 @@ test('a prompt is not copied', async ({ page, home }) => {
   expect(copied).toMatch(/^cargo/);
 });
 
-// Runs a test under a different policy. It gets a page of its own, since the browser may report errors there.
+// Runs a test under a different policy, on a page that isn't the fixture's, since the browser may
+// report errors there.
 async function withPolicy(browser, policy, run) {
   const { server, address } = await serve(policy);
   const page = await browser.newPage();

@@ -1,17 +1,18 @@
-// Notes stand in the margin, level with their blocks, where there is room for a margin; elsewhere they follow
+// If there is room for a margin, notes stand in it, level with their blocks. Otherwise they follow
 // their blocks.
 import { chapters } from './book.js';
 import { expect, open, test } from './fixtures.js';
 
 const SIDE_BY_SIDE = [1100, 1440, 1920];
 
-// Opens a page, with all of it laid out.
+// Opens a page, and lays out all of it.
 async function openWhole(page, address) {
   await open(page, address);
   await page.locator('main > *').evaluateAll(parts => parts.forEach(part => { part.style.contentVisibility = 'visible'; }));
 }
 
-// The boxes of the text and of each block with its notes, in pixels of the page.
+// Measures the boxes of the text and of each block with its notes, in pixels from the top left
+// corner of the page.
 const measure = () => {
   const box = part => {
     const { left, right, top, bottom } = part.getBoundingClientRect();
@@ -21,13 +22,13 @@ const measure = () => {
   return {
     page: document.documentElement.clientWidth,
     edge: box(document.querySelector('main > h1, main > .cover')).left + Number.parseFloat(getComputedStyle(document.querySelector('footer')).maxWidth),
-    // All that a reader sees in the text: each ends at its right edge, or before.
+    // Everything in the column of text. None of it may extend past the column's right edge.
     blocks: [...main.querySelectorAll(':scope > :not(.with-margin, .panels), :scope > .with-margin > :first-child')].map(box),
     frames: [...main.querySelectorAll(':scope > .with-margin')].map(frame => ({
       block: box(frame.firstElementChild),
       notes: [...frame.querySelectorAll(':scope > .note, :scope > .by-hand')].map(note => ({ ...box(note), cut: note.clientWidth && note.scrollWidth - note.clientWidth })),
     })),
-    // Listings that scroll, though their lines have at most 84 columns.
+    // Listings that scroll although none of their lines is longer than 84 columns.
     narrow: [...main.querySelectorAll('.listing > pre')]
       .filter(pre => pre.scrollWidth > pre.clientWidth && pre.textContent.split('\n').every(line => line.length <= 84))
       .map(pre => pre.parentElement.dataset.path),
@@ -36,7 +37,7 @@ const measure = () => {
   };
 };
 
-// What is wrong with notes that stand beside their blocks.
+// Describes what is wrong with the notes on a page where they stand beside their blocks.
 function findFaults({ page, edge, blocks, frames, narrow, height }) {
   const faults = blocks.filter(({ right }) => right > edge + 1).map(({ name, right }) => `${name} ends ${right - edge} px behind the text`);
   faults.push(...narrow.map(path => `${path} scrolls`));
@@ -76,7 +77,7 @@ test('notes that are too long for their blocks push each other down, and do not 
   const layout = await page.evaluate(measure);
   expect(findFaults(layout)).toEqual([]);
   expect(layout.frames.some(({ block, notes }) => notes.some(({ top }) => top > block.bottom)), 'one is pushed down').toBe(true);
-  // A figure that becomes ready grows meanwhile.
+  // Compare the gaps, not the positions, since a figure grows when it becomes ready.
   const gaps = blocks => blocks.slice(1).map(({ top }, k) => Math.round(top - blocks[k].bottom));
   expect(gaps(layout.blocks)).toEqual(gaps(blocks));
 });
@@ -89,7 +90,7 @@ for (const [width, media] of [[390, 'screen'], [1000, 'screen'], [1440, 'print']
     await openWhole(page, `${home}step02_sphere.html`);
     const { frames } = await page.evaluate(measure);
     for (const { block, notes } of frames) {
-      let end = block.bottom - 30; // The name of a test may end the last line.
+      let end = block.bottom - 30; // A test's name may stand at the end of the last line.
       for (const { name, top, bottom, right, cut } of notes) {
         expect.soft(top, name).toBeGreaterThan(end);
         expect.soft(right, name).toBeLessThanOrEqual(width);
@@ -103,7 +104,7 @@ for (const [width, media] of [[390, 'screen'], [1000, 'screen'], [1440, 'print']
 test('a tool that is open takes the margin, and the notes beside it follow their blocks', async ({ page, home }) => {
   await page.setViewportSize({ width: 1440, height: 900 });
   await openWhole(page, `${home}step02_sphere.html`);
-  const index = 2; // With notes above it and below.
+  const index = 2; // There are notes above this block and below it.
   await page.evaluate(index => {
     const tool = Object.assign(document.createElement('div'), { className: 'tool', textContent: 'A tool' });
     document.querySelectorAll('main > .with-margin')[index].firstElementChild.after(tool);

@@ -1,10 +1,10 @@
-// A reader makes a scene, undoes changes, and shares and downloads it.
+// A reader makes a scene, undoes changes, shares the scene, and downloads its picture.
 import { expect, open, test } from './fixtures.js';
 
 test('a ball is dragged, coloured, undone and kept, and a sphere comes in', async ({ page, home }) => {
   await open(page, `${home}own_scene.html`);
   await page.locator('figure[data-live=own_scene][data-ready]').waitFor({ timeout: 20_000 });
-  // Firefox doesn't report a download to its driver.
+  // Firefox doesn't report a download to its driver, so record the file's name instead.
   await page.evaluate(() => { HTMLAnchorElement.prototype.click = function () { window.kept = this.download; }; });
   const press = name => page.getByRole('button', { name }).click();
   const { x, y, width } = await page.locator('.stage').boundingBox();
@@ -33,7 +33,7 @@ test('a ball is dragged, coloured, undone and kept, and a sphere comes in', asyn
   await press('Undo');
   await expect(page).toHaveURL(/tenth-sphere/);
 
-  // A scene to start from is drawn.
+  // The link to a ready-made scene draws it.
   await page.locator('main a[href^="#scene="]').first().click();
   await expect(page).not.toHaveURL(/tenth-sphere/);
   await expect(page.locator('.refused')).toBeHidden();

@@ -3,7 +3,7 @@ import AxeBuilder from '@axe-core/playwright';
 import { chapters, pages } from './book.js';
 import { expect, open, test } from './fixtures.js';
 
-// Opens a page and all folded boxes on it, and lays out the parts far below.
+// Opens a page, opens all folded boxes on it, and lays out the parts far below.
 async function openAll(page, address) {
   await open(page, address);
   await page.evaluate(() => {
@@ -27,18 +27,20 @@ for (const name of pages) {
   });
 }
 
-// Pages whose parts also occur on the other pages, such as step 4's. axe checks them only with THOROUGH=1.
+// These pages consist of the same kinds of parts as the others, such as step 4's page, so axe
+// checks them only with THOROUGH=1.
 const THOROUGH_PAGES = /^(step0[1235]|way_back|mistakes)/;
 
 for (const name of chapters) {
   test(`${name} is accessible`, { tag: THOROUGH_PAGES.test(name) ? '@thorough' : [] }, async ({ page, home, browserName }) => {
     test.skip(browserName !== 'chromium', 'axe finds the same in all browsers');
     await openAll(page, home + name);
-    // Colours and width change little, so one combination will usually do.
+    // Colours and width rarely make a difference, so one combination is usually enough.
     for (const [width, colorScheme] of process.env.THOROUGH ? [[1280, 'light'], [390, 'dark']] : [[1280, 'light']]) {
       await page.setViewportSize({ width, height: 900 });
       await page.emulateMedia({ colorScheme });
-      // axe doesn't know MathML: it checks each letter of a formula on its own, and finds no text in it.
+      // axe doesn't know MathML: it checks each letter of a formula on its own, and takes a table
+      // header that is a formula to be empty.
       const axe = new AxeBuilder({ page }).options({ preload: false, rules: { 'empty-table-header': { enabled: false } } }).exclude('math');
       const { violations } = await axe.analyze();
       const faults = violations.map(({ id, help, nodes }) => `${id}: ${help}, at ${nodes[0].target}`);

@@ -3,7 +3,7 @@ import { expect, open, test } from './fixtures.js';
 
 test('a link that names a pixel selects it, and Back returns to the link', async ({ page, home }) => {
   await open(page, `${home}step03_nearest.html`);
-  // Lay out everything above, as it is for a reader who has scrolled down to here.
+  // Lay out everything above, as if the reader had scrolled down to here.
   await page.locator('main > *').evaluateAll(parts => parts.forEach(part => { part.style.contentVisibility = 'visible'; }));
   const figure = page.locator('figure[data-live="step03_nearest"]');
   const link = page.locator('a[href$="#pixel=195,237"]').first();

@@ -1,4 +1,4 @@
-// The projects: each is a browser, a size of its window, and a way to open the pages.
+// The projects. Each is a browser, a window size, and a way to open the pages.
 import { defineConfig } from '@playwright/test';
 import { spawnSync } from 'node:child_process';
 
@@ -8,8 +8,8 @@ const chromium = {
   browserName: 'chromium',
   launchOptions: { executablePath: find('chromium', 'google-chrome'), args: ['--no-sandbox', '--disable-gpu'] },
 };
-// An ordinary Firefox has no command that sets the colour scheme. Playwright 1.65 sends that command anyway, so
-// package.json stays with 1.64.
+// An ordinary Firefox has no command to set the colour scheme. Playwright 1.65 sends that command
+// anyway, so package.json stays at 1.64.
 const firefox = {
   browserName: 'firefox',
   channel: 'moz-firefox',
@@ -28,7 +28,8 @@ export default defineConfig({
   use: { actionTimeout: 15_000 },
   forbidOnly: true,
   reporter: process.env.CI ? 'dot' : 'list',
-  // Usually, one figure per page is enough, and axe on the shorter pages, and the search's results in one browser.
+  // Without THOROUGH=1, it's enough to test one figure per page, to run axe on the shorter pages,
+  // and to test the search's results in one browser.
   grepInvert: isThorough ? [] : /@thorough/,
   projects: [
     { name: 'chromium-wide', testIgnore: 'webkit.spec.js', use: { ...chromium, ...view(1280) } },

@@ -1,4 +1,5 @@
-// The form of a problem on paper says whether a number is right, or how wrong it is.
+// The form below a problem on paper says whether a number is right or, if it isn't, how wrong it
+// is.
 import { expect, open, test } from './fixtures.js';
 
 test('a number for a problem is right, close or wrong', async ({ page, home }) => {

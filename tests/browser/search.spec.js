@@ -1,39 +1,94 @@
-// The search leads to the section to which a teacher would send a reader, and the page shows it.
+// The search finds the section to which a teacher would send a reader, and the page scrolls to it.
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { expect, open, test } from './fixtures.js';
 
-// [what a reader types, the right places].
+// [what a reader types, the right places]. A place is an address; `hint`, if the search should say what to do about
+// a message of the compiler; or `nothing`, if the book has nothing about it.
 const queries = readFileSync(join(import.meta.dirname, 'search_queries.txt'), 'utf8').trim().split('\n')
   .map(line => line.split(' → ')).map(([query, places]) => [query, places.split(' or ')]);
 
 // Opens the search by its key, which works once its script has run, and types a query. Returns the first result.
+// Without a query, the one before stays.
 async function search(page, query) {
   const field = page.locator('#search-field');
   await expect(async () => {
     await page.keyboard.press('s');
     await expect(field).toBeFocused({ timeout: 100 });
   }).toPass({ timeout: 15_000 });
-  await field.fill(query);
+  if (query !== null) await field.fill(query);
   await expect(page.locator('#search-status')).not.toBeEmpty();
   return page.locator('#search-results a').first();
 }
 
-test('all first results except at most five are right', async ({ page, home }) => {
+test('first results are right for 19 of 20 queries', async ({ page, home }) => {
   await open(page, `${home}introduction.html`);
+  await search(page, 'ray');
   const wrong = [];
   for (const [query, places] of queries) {
-    const address = await (await search(page, query)).getAttribute('href');
-    if (!places.includes(address)) wrong.push(`${query}: ${address}`);
+    await page.locator('#search-field').fill(query);
+    const status = await page.locator('#search-status').textContent();
+    const address = await page.locator('#search-results a').first().getAttribute('href');
+    const place = status.startsWith('Nothing') ? 'nothing' : status.includes('message') ? 'hint' : address;
+    if (!places.includes(place)) wrong.push(`${query}: ${place}`);
   }
   const sections = await page.evaluate(() => book.searchIndex.flatMap(([page, , sections]) => sections.map(([id]) => `${page}#${id}`)));
-  expect(queries.flatMap(([, places]) => places).filter(place => !sections.includes(place)), 'places that are gone').toEqual([]);
-  expect(wrong.length, wrong.join('\n')).toBeLessThanOrEqual(5);
+  const addresses = queries.flatMap(([, places]) => places).filter(place => place.includes('#'));
+  expect(addresses.filter(place => !sections.includes(place)), 'places that are gone').toEqual([]);
+  expect(wrong.length, wrong.join('\n')).toBeLessThanOrEqual(queries.length / 20);
+});
+
+test('what the book doesn\'t have, and the compiler\'s messages, lead to a section that helps', async ({ page, home }) => {
+  await open(page, `${home}introduction.html`);
+  for (const [query, status, address] of [
+    ['blockchain', 'Nothing', 'mistakes.html#what-went-wrong'],
+    ['error[E0432]: unresolved import `crate::Ray`', 'message', 'step01_rays.html#a-ray'],
+    ['error: linker `cc` not found', 'message', 'introduction.html#ray-casting-in-five-steps'],
+    ['error[E0716]: temporary value dropped while borrowed', 'message', 'mistakes.html#what-went-wrong'],
+  ]) {
+    await expect(await search(page, query), query).toHaveAttribute('href', address);
+    await expect(page.locator('#search-status'), query).toContainText(status);
+    await expect(page.locator('#search-results a'), query).toHaveCount(1);
+    await page.keyboard.press('Escape');
+  }
+});
+
+test('keys open the search, a click outside closes it, and the query stays after Back', async ({ page, home }) => {
+  await open(page, `${home}introduction.html`);
+  const box = page.locator('#search');
+  await search(page, 'lambert');
+  for (const key of ['/', 's', 'Control+k']) {
+    await page.keyboard.press('Escape');
+    await expect(box).toBeHidden();
+    await page.keyboard.press(key);
+    await expect(box, key).toBeVisible();
+  }
+  // A click inside, and a selection that ends outside, leave it open.
+  const { x, y, width, height } = await box.boundingBox();
+  await page.mouse.click(x + 5, y + 100);
+  const field = await page.locator('#search-field').boundingBox();
+  await page.mouse.move(field.x + 40, field.y + 10);
+  await page.mouse.down();
+  await page.mouse.move(x / 2, y + height / 2);
+  await page.mouse.up();
+  await expect(box).toBeVisible();
+  await page.mouse.click(x + width / 2, 5);
+  await expect(box).toBeHidden();
+  await page.locator('#search-toggle').click();
+  await expect(page.locator('#search-field')).toHaveValue('lambert');
+  await page.keyboard.press('Enter');
+  await page.waitForURL('**/step04_diffuse.html#*');
+  // Firefox may restore a page without a sign to the test, so the page is loaded again.
+  await open(page, `${home}introduction.html`);
+  await search(page, null);
+  await expect(page.locator('#search-field')).toHaveValue('lambert');
+  await expect(page.locator('#search-results a').first()).toBeVisible();
 });
 
 test('Enter goes to the heading', async ({ page, home }) => {
   test.setTimeout(600_000);
-  for (const [query] of queries.filter((_, k) => process.env.THOROUGH || k % 30 === 0)) {
+  const found = queries.filter(([, [place]]) => place.includes('#'));
+  for (const [query] of found.filter((_, k) => process.env.THOROUGH || k % 100 === 0)) {
     await open(page, `${home}introduction.html`);
     // First from a different page, then from the end of the page itself.
     for (const way of ['from another page', 'on its own page']) {
@@ -50,11 +105,12 @@ test('Enter goes to the heading', async ({ page, home }) => {
 
 test('the search keeps the reader’s place, and offers near matches', async ({ page, home }) => {
   await open(page, `${home}step03_nearest.html`);
-  // Lay out everything first, since parts that are laid out above move the reader's place, too.
+  // Lay out everything first, since a part above that is laid out later would move the reader's
+  // place as well.
   await page.locator('main > *').evaluateAll(parts => parts.forEach(part => { part.style.contentVisibility = 'visible'; }));
   await page.evaluate(() => scrollTo(0, 2000));
   const place = await page.evaluate(() => scrollY);
-  const result = await search(page, 'sphere zebra');
+  const result = await search(page, 'sphere mirror zebra');
   await expect(page.locator('#search-status')).toContainText('near');
   await page.keyboard.press('ArrowDown');
   await expect(result).toBeFocused();
@@ -70,7 +126,7 @@ test('names of JavaScript are words, and ten thousand letters don\'t hold the pa
   await open(page, `${home}step03_nearest.html`);
   for (const word of ['constructor', '__proto__', 'hasOwnProperty', 'toString']) {
     await search(page, word);
-    // Similar words may be found, but no words of `function Object() { [native code] }`.
+    // Similar words may be found, but not the words of `function Object() { [native code] }`.
     const found = await page.locator('#search-results em').allTextContents();
     expect(found.filter(text => /^(object|native|code|function)s?$/i.test(text)), word).toEqual([]);
   }

@@ -1,5 +1,5 @@
-// A server for the book that is reachable only from this machine, and strict, as a careful one would be: it
-// sends a Content-Security-Policy.
+// A server for the book, reachable only from this machine. It is as strict as a careful server
+// would be: it sends a Content-Security-Policy.
 import { readFile } from 'node:fs/promises';
 import { createServer } from 'node:http';
 import { once } from 'node:events';
@@ -10,12 +10,12 @@ const TYPES = { css: 'text/css', html: 'text/html; charset=utf-8', js: 'text/jav
 
 export const POLICY = [
   `default-src 'none'`,
-  // The modules are WebAssembly, and the pages contain a few lines of script and style themselves.
+  // The modules are WebAssembly, and the pages contain a few lines of inline script and style.
   `script-src 'self' 'wasm-unsafe-eval' 'unsafe-inline'`,
   `style-src 'unsafe-inline'`,
   `img-src 'self'`,
   `font-src 'self'`,
-  // `check` runs in a worker, whose few lines are part of the page's own script.
+  // `check` runs in a worker, whose few lines of code are part of the page's own script.
   `worker-src blob:`,
   // 404.html has a `<base>` if the book is published in a subfolder of a server.
   `base-uri 'self'`,

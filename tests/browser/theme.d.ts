@@ -1,81 +1,97 @@
 // The types of the scripts in book/theme: what they share, and what the modules reply. `npm run types` checks
 // the scripts against them.
 
-/** What the scripts of the pages share: the one name that they have in common. */
+/** What the pages' scripts share, under the only name that they have in common. */
 interface Book {
-  /** The element `html`. */
+  /** The `html` element. */
   root: HTMLElement;
 
   // book.js
 
-  /** An element with these attributes and children. */
+  /** Makes an element with these attributes and children. */
   make<K extends keyof HTMLElementTagNameMap>(
     tag: K, attributes: Record<string, string | number | boolean>, ...children: (Node | string)[]
   ): HTMLElementTagNameMap[K];
-  /** Writes a text, unless it is there already: then nothing is laid out anew. */
+  /**
+   * Sets an element's text, unless the text is there already. In that case, nothing has to be laid
+   * out again.
+   */
   write(element: Element, text: string): void;
-  /** Runs a function that writes HTML, which is made by the scripts or the modules. */
+  /** Runs a function that writes HTML, which has to come from these scripts or the modules. */
   writeHTML(act: () => void): void;
-  /** Lets the page load a script, or start a worker, from an address of its own. */
+  /** Allows the page to load a script, or start a worker, from this address. */
   trustAddress(address: string): void;
-  /** Copies a text, if the browser lets a page do so, and says so on the button for a while. */
+  /**
+   * Copies a text, if the browser allows it, and says on the button for a while whether it was
+   * copied.
+   */
   copyBy(button: HTMLButtonElement, text: string, words?: string): Promise<void>;
-  /** A number as people type it: 58.72, 58,72, 1/2, −3 or 60°. NaN if it isn't one. */
+  /**
+   * Parses a number as people type it: 58.72, 58,72, 1/2, −3 or 60°. Returns NaN if it isn't one.
+   */
   readNumber(text: string): number;
-  /** Calls `near`, once for each element, when the element comes near the view. */
+  /** Calls `near` once for each element, when that element comes near the view. */
   whenNear(elements: Iterable<HTMLElement> & { forEach(act: (element: HTMLElement) => void): void }, near: (element: HTMLElement) => void): void;
   /**
-   * Loads a script once, after the others unless it is large, and says whether it has come. One that failed
-   * is loaded again the next time.
+   * Loads a script, unless it has been loaded, and returns whether that worked. Scripts run in the
+   * order in which they are asked for, except for large ones. One that failed is loaded again the
+   * next time.
    */
   load(file: string, isLarge?: boolean): Promise<boolean>;
   /** Colours a listing. */
   colourCode(code: Element): void;
-  /** Colours a listing once the script for it has come, unless the listing is being edited. */
+  /** Colours a listing once the script for that has loaded, unless the listing is being edited. */
   colour(code: Element): void;
-  /** States that can be undone and done again. */
+  /** A history of states, for undo and redo. */
   History: new <State>(state: State) => UndoHistory<State>;
 
   // wasm.js
 
   modules: {
-    /** Keeps a file that a generated script contains. */
+    /** Stores a file that a generated script contains, encoded as base64. */
     provide(name: string, base64: string): void;
     /** Loads a module and what it needs, without starting it. */
     compile(name: string): Promise<CompiledModule>;
-    /** The module of this name, started. */
+    /** Returns the module of this name, started. */
     get(name: string): Promise<Module>;
-    /** Forgets a module that failed: the next request starts it anew. */
+    /** Forgets a module that failed, so that the next request starts it again. */
     drop(name: string): void;
   };
-  /** Starts a module, and gives it the list of mistakes if it needs that. */
+  /** Starts a module, and passes it the list of mistakes if it needs that list. */
   startModule(compiled: CompiledModule): Promise<Module>;
-  /** The reply of a module to a request, about a file if there is one. */
+  /** Sends a request to a module, about a file if there is one, and returns the module's reply. */
   ask(module: Module, request: string, file?: Uint8Array): any;
-  /** Puts the pixels of a reply on a canvas: all of them, or this many columns from one on. */
+  /**
+   * Paints the pixels of a reply on a canvas: all of them, or only `columns` columns, starting at
+   * `column`.
+   */
   paint(canvas: HTMLCanvasElement, reply: Pixels, column?: number, columns?: number): void;
 
   // handle.js, own_scene.js, figure.js
 
-  /** A mark in a figure that the reader drags. */
+  /** A mark in a figure that the reader can drag. */
   Handle: new (figure: InteractiveFigure, about: HandleAbout, index: number) => Handle;
   /** Adds the tools of an editable scene to its figure. */
   followScene(figure: InteractiveFigure): void;
-  /** A request that the module has no reply to. */
+  /** The error for a request that a module refuses. */
   Refusal: new (message: string) => Error;
 
   // search-index.js
 
-  /** For each page its name and its title, and the id, the title, the prose and the listings of each section. */
-  searchIndex: [string, string, [string, string, string, string][]][];
+  /** For each page its name and its title, and the id, title, prose, listings and readers' phrases of each section. */
+  searchIndex: [string, string, [string, string, string, string, string[]][]][];
+  /** The section to read, the compiler's messages, and a sentence that says what to do. */
+  searchHints: [string, string[], string][];
+  /** Groups of words that mean nearly the same. */
+  searchSynonyms: string[][];
 }
 
 interface UndoHistory<State> {
-  /** Adds a state, unless it is the current one, and drops those that were undone. */
+  /** Adds a state, unless it equals the current one, and drops the states that were undone. */
   record(state: State): void;
-  /** Whether there is a state this many steps later, or earlier if negative. */
+  /** Whether there is a state this many steps later, or earlier if the number is negative. */
   has(steps: number): boolean;
-  /** Goes that many steps, and returns the state there. */
+  /** Moves by this many steps, and returns the state there. */
   go(steps: number): State;
 }
 
@@ -97,13 +113,16 @@ interface Pixels {
   pixels?: Uint8ClampedArray<ArrayBuffer>;
 }
 
-/** The reply of `check` to a file: its exit code, and the lines of its answer, of which the first is the headline. */
+/** The reply of `check` to a file: its exit code, and the lines of its answer, headline first. */
 interface CheckReply extends Pixels {
   code: number;
   lines: string[];
 }
 
-/** The reply to edited lines: a picture with what is known of it, or what is wrong with one of the lines. */
+/**
+ * The reply to edited lines: a picture and what is known about it, or what is wrong with one of the
+ * lines.
+ */
 interface EditReply extends Pixels {
   known?: string;
   names?: string[];
@@ -115,7 +134,7 @@ interface EditReply extends Pixels {
 
 // Figures, as the crate `figures` describes them.
 
-/** The value of each parameter, by its id. */
+/** The value of each parameter, keyed by its id. */
 type ParameterValues = Record<string, number>;
 
 interface ParameterAbout {
@@ -134,16 +153,16 @@ interface HandleAbout {
   horizontal: string;
   vertical: string;
   depth: string | null;
-  /** The id of the switch that takes it into the scene. */
+  /** The id of the switch that adds the handle's object to the scene. */
   presence: string | null;
 }
 
 interface FigureAbout {
   parameters: ParameterAbout[];
   handles: HandleAbout[];
-  /** The columns of a picture that is drawn in full; null for a drawing. */
+  /** The number of columns of a picture at full size; null for a drawing. */
   columns: number | null;
-  /** Of an editable scene: the ids of the channels of each object's colour. */
+  /** Only for an editable scene: for each object, the ids of the three channels of its colour. */
   colours?: Record<string, string[]>;
 }
 
@@ -154,7 +173,7 @@ interface FigureReply extends Pixels {
   positions: ([number, number] | null)[];
   readouts: Record<string, string>;
   drawing?: string;
-  /** Of an editable scene. */
+  /** Only for an editable scene. */
   program?: string;
   address?: string;
 }
@@ -169,7 +188,7 @@ interface Control {
 interface Handle {
   about: HandleAbout;
   element: HTMLElement;
-  /** Its number among the handles. */
+  /** Its index in the list of handles. */
   index: number;
   /** The object that it moves, in an editable scene. */
   object: string | undefined;
@@ -191,13 +210,13 @@ interface InteractiveFigure {
   fault: HTMLElement;
   output: HTMLElement;
   reset: HTMLButtonElement;
-  /** The choice of an object, in an editable scene. */
+  /** The menu that chooses an object, in an editable scene. */
   objectSelect: HTMLSelectElement | null;
-  /** Width and height, in its own coordinates. */
+  /** Width and height, in the figure's own coordinates. */
   size: number[];
-  /** Called after something was shown. */
+  /** Called each time a reply has been shown. */
   afterShow?: () => void;
-  /** Called after the controls were shown. */
+  /** Called each time the controls have been shown. */
   afterControls?: () => void;
   request(verb: string, ...words: (string | number)[]): any;
   formatValues(): string;
@@ -211,18 +230,21 @@ interface InteractiveFigure {
   positionOfPointer(pointer: { clientX: number, clientY: number }): number[];
 }
 
-/** A line of a listing that the reader may edit. */
+/** A line in a listing that the reader may edit. */
 interface EditedLine extends HTMLElement {
-  /** The HTML of the book's text, with its colours. */
+  /** The HTML of the book's text, including its colours. */
   bookHTML?: string;
 }
 
-// What the browser's own types leave open.
+// What the browser's own types don't cover.
 
 interface ParentNode {
   querySelector<K extends keyof HTMLElementTagNameMap>(selectors: K): HTMLElementTagNameMap[K];
   querySelectorAll<K extends keyof HTMLElementTagNameMap>(selectors: K): NodeListOf<HTMLElementTagNameMap[K]>;
-  /** The caller knows what the builder printed, and names its type if it needs more than an element. */
+  /**
+   * The caller knows what the builder has printed. If it needs more than an `HTMLElement`, it names
+   * the type.
+   */
   querySelector<E extends HTMLElement>(selectors: string): E;
   querySelectorAll<E extends HTMLElement>(selectors: string): NodeListOf<E>;
 }
@@ -233,5 +255,5 @@ interface Window {
   trustedTypes?: { createPolicy(name: string, rules: Record<string, (text: string) => string | null>): void };
 }
 
-/** The library of the search. */
+/** The library for the search. */
 declare const MiniSearch: new (options: object) => any;

@@ -1,11 +1,12 @@
-// Every figure becomes ready in WebKit. It's run by its own driver, because Playwright's build of WebKit isn't a
-// browser that anybody uses.
+// Every figure becomes ready in WebKit. WebKit is run by its own driver, because Playwright's build
+// of it isn't a browser that anybody uses.
 import { spawn } from 'node:child_process';
 import { once } from 'node:events';
 import { figures } from './book.js';
 import { expect, test } from './fixtures.js';
 
-// Brings one figure of a page after the other into view. Returns those that don't become ready.
+// Scrolls the figures of a page into view, one after the other. Returns the names of those that
+// don't become ready.
 const wake = async () => {
   const asleep = () => [...document.querySelectorAll('figure[data-live]:not([data-ready])')];
   for (let k = 0; k < 1000 && asleep().length; k += 1) {

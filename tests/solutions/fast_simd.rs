@@ -1,4 +1,4 @@
-//! `fast` draws the same bytes as `render` with `colour`.
+//! Tests that `fast` draws exactly the bytes that `render` draws with `colour`.
 
 use super::fast::draw;
 use course::environment::is_thorough;
@@ -9,7 +9,8 @@ use glam::{DMat3, DVec3};
 use step05_phong::*;
 use support::{RandomInputs, test_law};
 
-/// Every set of vector instructions that this machine has, and the fallback without any.
+/// Returns every set of vector instructions that this machine supports, and the fallback without
+/// any.
 fn levels() -> Vec<Level> {
     let best = Level::new();
     let mut levels = vec![Level::fallback(), Level::baseline(), best];
@@ -21,7 +22,7 @@ fn levels() -> Vec<Level> {
     levels
 }
 
-/// Fails unless `fast` draws the bytes of `render`, with each set of instructions.
+/// Asserts that `fast` draws the same bytes as `render`, with every set of instructions.
 fn assert_fast_draws(camera: &Camera, samples: u32, scene: &Scene<Material, Light>) {
     let expected = render(camera, samples, |ray| colour(scene, ray));
     for level in levels() {
@@ -30,7 +31,8 @@ fn assert_fast_draws(camera: &Camera, samples: u32, scene: &Scene<Material, Ligh
     }
 }
 
-/// Spheres of all sizes in any position, a few of them twice, and up to four lights.
+/// A scene of spheres of all sizes in any position, a few of them duplicated, with up to four
+/// lights.
 fn random_scene(random: &mut RandomInputs) -> Scene<Material, Light> {
     let mut scene = named_scene(&random.index(10_000).to_string());
     let objects = scene.objects.clone();
@@ -55,7 +57,8 @@ fn random_scene(random: &mut RandomInputs) -> Scene<Material, Light> {
     scene
 }
 
-/// A camera with any angle, sometimes mirrored, whose picture may be wider than a tile.
+/// A camera with any field of view, in any orientation, sometimes mirrored. Its picture may be
+/// wider than a tile.
 fn random_camera(random: &mut RandomInputs) -> Camera {
     let angle = [0.001, 1.0, 60.0, 120.0, 179.0, 179.999][random.index(6)];
     let size = (2 + random.index(80) as u32, 1 + random.index(70) as u32);
@@ -88,7 +91,8 @@ fn fast_draws_the_bytes_of_render_from_inside_a_ball_and_from_its_surface() {
     });
 }
 
-// The ray through the middle meets both at t = 4, and the larger one begins no further away.
+// The ray through the middle meets both spheres at t = 4, and the larger one doesn't begin any
+// farther away, so `fast` may well test it first. The first in the scene still has to win the tie.
 #[test]
 fn fast_shows_the_first_of_two_spheres_that_touch_where_a_ray_meets_them() {
     let mut scene = named_scene("touching");
@@ -103,7 +107,7 @@ fn fast_shows_the_first_of_two_spheres_that_touch_where_a_ray_meets_them() {
     assert_fast_draws(&Camera::new(3, 3, f64::to_radians(90.0)), 1, &scene);
 }
 
-// If a light is exactly on a surface, there is no direction to it.
+// If a light is exactly at a visible point, the direction from there to the light is undefined.
 #[test]
 fn fast_draws_the_bytes_of_render_with_a_light_at_a_visible_point() {
     test_law(25, |random| {
@@ -117,7 +121,7 @@ fn fast_draws_the_bytes_of_render_with_a_light_at_a_visible_point() {
     });
 }
 
-// All rays of these cameras are in one plane, or are the same ray.
+// All rays from such a camera lie in one plane, or even coincide.
 #[test]
 fn fast_draws_the_bytes_of_render_for_a_picture_without_depth() {
     test_law(15, |random| {
@@ -131,8 +135,8 @@ fn fast_draws_the_bytes_of_render_for_a_picture_without_depth() {
     });
 }
 
-// The edge between two blocks is at column 15.5. This camera's centre is there, and nearly in the
-// plane of the picture, so the rounding errors of V turn the plane of that edge by a large angle.
+// Two blocks meet at column 15.5. This camera's centre is at that column, and nearly in the plane
+// of the picture, so rounding errors in V turn the plane through the blocks' edge by a large angle.
 #[test]
 fn fast_draws_the_bytes_of_render_for_a_picture_with_hardly_any_depth() {
     test_law(60, |random| {
@@ -167,7 +171,7 @@ fn fast_draws_the_bytes_of_render_for_parts_of_random_scenes() {
         let mut scene = named_scene(&random.index(10_000).to_string());
         scene.lights.truncate(random.index(3));
         scene.objects.truncate(random.index(10));
-        // Each sphere is there twice, in two materials. The first one is seen.
+        // Every sphere occurs twice, in two materials. Only the first of the two may be seen.
         let pairs = scene.objects.iter().zip(scene.objects.iter().rev());
         let copies: Vec<_> = pairs.map(|(one, other)| one.with_material(other.material)).collect();
         scene.objects.extend(copies);
@@ -175,9 +179,9 @@ fn fast_draws_the_bytes_of_render_for_parts_of_random_scenes() {
     });
 }
 
-// A radius of less than 1e-8 of the distance is lost in the rounding errors of D. So such
-// a sphere becomes a spot that is larger than itself and both nearer and farther. Here, a
-// pixel is smaller than these spots, and they lie around the surface of a larger ball.
+// A radius below 1e-8 of the distance is lost in the rounding errors of D. Such a sphere is drawn
+// as a spot that is larger than the sphere, with hits that are too near or too far. Here, a pixel
+// is smaller than these spots, which are scattered around the surface of a larger ball.
 #[test]
 fn fast_draws_the_bytes_of_render_where_rounding_errors_are_larger_than_the_spheres() {
     test_law(16, |random| {
@@ -198,7 +202,7 @@ fn fast_draws_the_bytes_of_render_where_rounding_errors_are_larger_than_the_sphe
             let radius = distance * 10_f64.powf(random.number(-11.0, -7.0));
             spheres.insert(random.index(spheres.len() + 1), Sphere { centre, radius });
         }
-        // Once with the ball, which hides the sky, and once without it.
+        // Half of the scenes keep the ball, which hides the sky. The others do without it.
         if random.index(2) == 0 {
             spheres.retain(|sphere| *sphere != ball);
         }
@@ -212,8 +216,8 @@ fn fast_draws_the_bytes_of_render_where_rounding_errors_are_larger_than_the_sphe
     });
 }
 
-// A byte hides the last digits of the number that was rounded to it. These scenes show them: one
-// ray touches its sphere, or its colour is halfway between two bytes.
+// Rounding to a byte hides the last digits of a colour. These scenes reveal them: one ray is
+// tangent to its sphere, or its colour is halfway between two bytes.
 #[test]
 fn fast_rounds_like_render() {
     test_law(400, |random| {
@@ -232,7 +236,7 @@ fn fast_rounds_like_render() {
             scene
         };
         let lit = colour(&with_sphere(hit_sphere, DVec3::ZERO), &ray);
-        // The ambient light that is still missing to get halfway between two bytes.
+        // The ambient light that brings the colour halfway between two bytes.
         let ambient_light = ((255.0 * lit).floor() + 1.5) / 255.0 - lit;
         for (sphere, light) in [(tangent_sphere, DVec3::ONE), (hit_sphere, ambient_light)] {
             assert_fast_draws(&camera, 1, &with_sphere(sphere, light));

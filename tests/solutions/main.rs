@@ -1,4 +1,4 @@
-//! Tests of the solutions of the exercises, and of the scenes that belong to names.
+//! Tests of the solutions to the exercises, and of the scenes made from students' names.
 
 mod fast_simd;
 mod named_scene;
@@ -14,8 +14,8 @@ use glam::DMat3;
 use step01_rays::Camera;
 use support::{camera, locked_pictures};
 
-/// Declares programs as modules. rustfmt finds no module in a macro, so it leaves their files
-/// alone.
+/// Declares programs as modules. rustfmt doesn't look for modules inside a macro, so it doesn't
+/// format these files with this package's settings.
 macro_rules! programs {
     ($($name:ident: $path:literal,)*) => {
         $(#[allow(dead_code, reason = "its main only runs in its program")] #[path = $path] mod $name;)*
@@ -48,17 +48,17 @@ fn starters_fast_and_own_scene_draw_the_pictures_of_their_steps() {
     }
 }
 
-/// Replaces each number in the matrix of the camera by its `neighbour`, the next or the previous
-/// f64. Integers stay, because the formulas give exactly these however they are written.
+/// Replaces each number in the camera's matrix with its `neighbour`, the next or the previous f64.
+/// Integers are left alone, because the formulas give exactly these however they are written.
 fn perturb_camera(camera: &Camera, neighbour: fn(f64) -> f64) -> Camera {
     let perturb = |x: f64| if x.fract() == 0.0 { x } else { neighbour(x) };
     let matrix = camera.matrix.to_cols_array().map(perturb);
     Camera { matrix: DMat3::from_cols_array(&matrix), ..*camera }
 }
 
-/// On another platform, the tangent may differ in its last bit. So may a formula that is written in
-/// another order. `speckled` is left out, because it shows rounding errors; its camera computes no
-/// tangent.
+/// On another platform, the tangent may differ in its last bit. So may a number in the matrix if
+/// its formula is written in a different order. `speckled` is skipped: it shows rounding errors,
+/// and its camera doesn't compute a tangent.
 #[test]
 #[ignore = "takes a minute: cargo test -- --include-ignored"]
 fn pictures_do_not_depend_on_the_last_bit_of_the_camera() {

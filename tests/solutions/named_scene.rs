@@ -1,4 +1,4 @@
-//! The scenes that belong to names.
+//! Tests of the scenes that are made from students' names.
 
 use course::named_scene;
 use std::collections::HashSet;
@@ -8,7 +8,8 @@ use support::primary_rays;
 fn spheres_of_a_named_scene_do_not_meet_and_no_ray_touches_one() {
     for name in ["ada", "bob", ""] {
         let objects = named_scene(name).objects;
-        // They touch the ground to two digits, as in the course's scene.
+        // A sphere rests on the ground only to within two digits, as in the course's scene, so a
+        // small overlap is allowed.
         for (k, a) in objects.iter().enumerate() {
             for b in &objects[..k] {
                 let distance = a.sphere.centre.distance(b.sphere.centre);

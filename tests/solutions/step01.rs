@@ -1,4 +1,4 @@
-//! The solutions of step 1.
+//! Tests of the solutions for step 1.
 
 use course::examples::look_at::{look_at, passes};
 use support::{camera, test_law};

@@ -1,4 +1,4 @@
-//! The solutions of step 2.
+//! Tests of the solutions for step 2.
 
 use course::examples::plane::Plane;
 use course::examples::quadric::Quadric;

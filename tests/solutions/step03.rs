@@ -1,4 +1,4 @@
-//! The solutions of step 3.
+//! Tests of the solutions for step 3.
 
 use course::examples::many::{Tree, sunflower};
 use std::cell::Cell;
@@ -20,8 +20,8 @@ fn tree_finds_the_hits_of_the_loop_with_few_intersections() {
         hit_count += usize::from(hit.is_some());
     }
     assert!(hit_count > ray_count / 4);
-    // The loop intersects 1000 spheres for each ray. The limit is tight. A tree fails if it looks
-    // into the farther half first, or into boxes behind the nearest hit.
+    // The loop intersects 1000 spheres per ray. The limit here is so tight that a tree exceeds it
+    // if it looks into the farther half first, or into boxes behind the nearest hit.
     let count = intersections.get();
     assert!(2 * count < 3 * ray_count, "{count} spheres for {ray_count} rays");
 }

@@ -1,4 +1,4 @@
-//! The solutions of step 4.
+//! Tests of the solutions for step 4.
 
 use course::examples::gamma;
 use glam::DVec3;
@@ -10,7 +10,8 @@ fn gamma_is_applied_to_the_mean_of_the_samples() {
     let [picture, linear_picture] = pictures.map(|draw| draw(&camera(), 4));
     for (pixel, linear_pixel) in picture.pixels().zip(linear_picture.pixels()) {
         let mean = DVec3::from(linear_pixel.0.map(f64::from)) / 255.0;
-        // The mean was rounded to a byte. Where it is dark, the curve turns that 1 into 6.
+        // The linear mean was rounded to a byte. Near black, the curve magnifies that error of up
+        // to half a byte about 12 times.
         assert!(course::largest_channel_difference(pixel, &gamma::rgb8(mean)) <= 6);
     }
 }

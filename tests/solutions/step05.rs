@@ -1,4 +1,4 @@
-//! The solutions of step 5 and of The ray's way back.
+//! Tests of the solutions for step 5 and for the chapter "The ray's way back".
 
 use course::examples::*;
 use glam::DVec3;
@@ -21,8 +21,8 @@ fn scenes_without_mirrors_and_glass_look_like_step_5_with_shadows() {
     }
 }
 
-/// The page "A scene of your own" begins with a copy of step 5's scene. The picture can't compare
-/// all of it, because the green sphere isn't in view.
+/// The page "A scene of your own" begins with a copy of step 5's scene. Comparing pictures wouldn't
+/// cover all of it, because the green sphere isn't in view.
 #[test]
 fn own_scene_begins_as_the_scene_of_step_5() {
     let (own, ours) = (own_scene::my_scene(), scene());
@@ -68,14 +68,14 @@ fn refraction_obeys_snell_and_is_reversible() {
     });
 }
 
-/// A ray that has entered a ball from outside is never totally reflected in it, so the picture
-/// can't show this.
+/// A ray that enters a ball from outside is never totally reflected inside it, so the picture can't
+/// show this.
 #[test]
 fn glass_mirrors_all_light_that_leaves_it_beyond_42_degrees() {
     let scene = glass::glasses(1.5);
     let hit = Hit { t: 1.0, object: &scene.objects[0] };
     let point = SurfacePoint { hit, p: DVec3::new(0.0, 1.0, 0.0), n: DVec3::Y };
-    // From within, upwards at an angle from the normal.
+    // A ray that reaches the surface from inside, at this angle to the normal.
     let ray_at = |degrees: f64| {
         let direction = DVec3::Y.rotate_z(degrees.to_radians());
         Ray { start: point.p - direction, direction }
@@ -87,7 +87,7 @@ fn glass_mirrors_all_light_that_leaves_it_beyond_42_degrees() {
     }
     // At a slightly smaller angle, most of the light leaves.
     assert!(seen(41.0).y > -0.5, "{}", seen(41.0));
-    // If the index is below 1, as for bubbles in glass, total reflection is seen from outside, too.
+    // With an index below 1, as for a bubble in glass, total reflection also occurs from outside.
     let from_outside =
         Ray { start: DVec3::new(-2.0, 2.0, 0.0), direction: DVec3::new(2.0, -1.0, 0.0) };
     let seen = glass::through_glass(&from_outside, &point, 1.0 / 1.5, |next| next.direction);
@@ -109,7 +109,8 @@ fn last_mirror_shows_its_own_colour_and_the_last_glass_is_black() {
         let Some(point) = visible_point(&scene.objects, &ray) else { continue };
         let mirror::Mirror { material, k } = point.material();
         if *k > 0.0 {
-            // With one more mirror, a ray sees its own paint, and in it what the last mirror shows.
+            // With a depth of 1, a ray sees the mirror's own paint and, reflected in it, what the
+            // last mirror shows.
             let start = point.p + mirror::OFFSET * point.n;
             let mirrored = Ray { start, direction: reflect(point.n, -ray.direction) };
             let is_hidden = |light: &Light| {

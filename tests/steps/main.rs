@@ -1,5 +1,5 @@
-//! The five steps: what their programs do, what the book predicts of their runs, and what neither
-//! the worked numbers of `by_hand.rs` nor a locked picture would notice.
+//! Tests of the five steps: what their programs do, what the book predicts a run will show, and
+//! cases that neither the worked numbers in `by_hand.rs` nor a locked picture would catch.
 
 mod predictions;
 mod programs;

@@ -1,5 +1,5 @@
-//! Predictions that a chapter asks for and a run decides: the program, changed as the question
-//! says, shows what the book says that it shows. Each test quotes the book.
+//! Predictions that a chapter asks for and a run decides. Each test quotes the book, and checks
+//! that the program, changed as the question says, would show what the book says.
 
 use glam::DVec3;
 use step02_sphere::{Ray, Roots};
@@ -30,7 +30,8 @@ fn nearer_centre_in_place_of_the_nearest_hit_changes_no_pixel() {
     }
 }
 
-/// "Every mirror but the ground shows it after a single bounce", the green sphere behind the eye.
+/// "Every mirror but the ground shows it after a single bounce": "it" is the green sphere behind
+/// the eye.
 #[test]
 fn each_ball_that_mirrors_shows_the_green_sphere() {
     let objects = course::examples::mirror::mirrors().objects;

@@ -1,5 +1,5 @@
-//! The programs of the five steps draw their pictures. The options are tested with the program of
-//! step 1, whose code they all run.
+//! Tests that the programs of the five steps draw their pictures. The options are tested only with
+//! step 1's program, since all five share its code.
 
 use course::{
     Step, cargo_command, describe_difference, read_locked_picture, target_folder, workspace,
@@ -9,7 +9,7 @@ use std::process::{Command, Output};
 use std::sync::Once;
 use std::{env, fs};
 
-/// Arguments at the limits of what is allowed.
+/// Arguments at the limits of their allowed ranges.
 const ALLOWED: [&str; 7] = [
     "--width 8192 --aspect 1e9:1",
     "--width 8192 --aspect 16:9",
@@ -20,7 +20,8 @@ const ALLOWED: [&str; 7] = [
     "--width 20 --output -dash.png",
 ];
 
-/// Arguments with which a program draws nothing. What it prints is a snapshot.
+/// Arguments with which a program draws nothing. What it prints instead is compared with a
+/// snapshot.
 const REFUSED: [&str; 18] = [
     "--help",
     "--width 0",
@@ -73,7 +74,8 @@ fn program_refuses_what_is_not_allowed_and_leaves_files_alone() {
     let old_files = ["step01_rays.png", "old.jpg", "unwritable.png"].map(|file| folder.join(file));
     old_files.iter().for_each(|file| fs::write(file, "old").expect("a file"));
     fs::create_dir(folder.join("folder.png")).expect("a folder");
-    // A picture is first written under this name, so the old one is safe if that fails.
+    // A program writes a picture under this name first, so that the old picture survives if writing
+    // fails. Here, a folder is in the way.
     fs::create_dir(folder.join("unwritable.tmp")).expect("a folder");
     let texts = REFUSED.map(|arguments| {
         let Output { status, stdout, stderr } = run("step01_rays", &folder, arguments);
@@ -82,7 +84,8 @@ fn program_refuses_what_is_not_allowed_and_leaves_files_alone() {
         let code = status.code().unwrap_or(-1);
         format!("$ step01_rays {}\n{text}--- exit code {code} ---\n\n", arguments.escape_debug())
     });
-    // The program has another name on Windows, and each system words its errors differently.
+    // The program's file name ends in .exe on Windows, and each system words its errors
+    // differently.
     let text = texts.concat().replace("step01_rays.exe", "step01_rays");
     let lines = text.lines().map(|line| match line.rsplit_once(": ") {
         Some((start, reason)) if reason.ends_with(')') => format!("{start}: REASON\n"),
@@ -93,7 +96,7 @@ fn program_refuses_what_is_not_allowed_and_leaves_files_alone() {
     assert!(old_files.iter().all(|file| fs::read(file).is_ok_and(|bytes| bytes == b"old")));
 }
 
-/// Makes an empty folder for a test.
+/// Creates an empty folder for a test.
 fn empty_folder(test: &str) -> PathBuf {
     let folder = target_folder().join("tests/programs").join(test);
     let _ = fs::remove_dir_all(&folder);
@@ -101,20 +104,20 @@ fn empty_folder(test: &str) -> PathBuf {
     folder
 }
 
-/// Runs the program of a step with arguments that are separated by single blanks.
+/// Runs a step's program in `folder`. Its arguments are separated by single spaces.
 fn run(step: &str, folder: &Path, arguments: &str) -> Output {
     static BUILD: Once = Once::new();
     BUILD.call_once(build_programs);
     let executable = target_folder().join("debug").join(step);
     let mut command = Command::new(executable.with_extension(env::consts::EXE_EXTENSION));
     command.args(arguments.split(' ').filter(|argument| !argument.is_empty()));
-    // The width to which the help is wrapped.
+    // The help text is wrapped to this width.
     command.current_dir(folder).env("COLUMNS", "100").output().expect("a program")
 }
 
-/// Builds the programs, because `cargo test` builds none of other packages.
+/// Builds the programs, because `cargo test` doesn't build binaries from other packages.
 ///
-/// With `--workspace`, they get the features with which everything else is built.
+/// `--workspace` builds them with the same features as everything else.
 fn build_programs() {
     let mut cargo = cargo_command();
     cargo.args(["build", "--quiet", "--workspace", "--target-dir"]).arg(target_folder());

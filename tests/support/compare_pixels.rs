@@ -10,18 +10,18 @@ use insta::Settings;
 use std::fs;
 use std::path::PathBuf;
 
-/// Compares `picture` with the locked picture, pixel by pixel. `assert` gets a PNG file, and passes
-/// it to insta. If all pixels are equal, that is the locked file itself, because another version of
-/// the encoder may write the same pixels as different bytes.
+/// Compares `picture` with the locked picture `name`, pixel by pixel. `assert` receives a PNG file
+/// and hands it to insta. If all pixels are equal, that is the locked file itself, since a
+/// different version of the encoder may encode the same pixels as different bytes.
 ///
-/// If pixels differ, it first prints a sentence about them and the command that accepts the
-/// picture, and writes both pictures and their difference into the target folder.
+/// If any pixels differ, first prints a sentence about them and the command that accepts the new
+/// picture, and saves both pictures and their difference in the target folder.
 pub fn compare_pixels(name: &str, picture: &RgbImage, assert: impl FnOnce(Vec<u8>)) {
     let mut settings = Settings::clone_current();
     settings.set_prepend_module_to_snapshot(false);
     settings.set_omit_expression(true);
-    // This is where the panels are unless the target folder is elsewhere. The snapshot is the same
-    // on every machine.
+    // Where the panels are by default. It ignores a target folder that is elsewhere, because the
+    // snapshot has to be the same on every machine.
     settings.set_description(format!("target/differences/{name}.png"));
     let mismatch = describe_and_save_mismatch(name, picture);
     match &mismatch {
@@ -33,20 +33,21 @@ pub fn compare_pixels(name: &str, picture: &RgbImage, assert: impl FnOnce(Vec<u8
     }
     let update = snapshot_update();
     if update == SnapshotUpdate::No {
-        // insta would delete a picture that waits for review.
+        // insta would delete a picture that is still waiting for review.
         return assert!(mismatch.is_none(), "{name} is not the locked picture");
     }
     let locked_png = fs::read(locked_picture_path(name)).ok();
     let png = locked_png.filter(|_| mismatch.is_none()).unwrap_or_else(|| encode_png(picture));
     settings.bind(|| assert(png));
     if update == SnapshotUpdate::InPlace {
-        // The picture is accepted, and insta leaves half of what waited for review.
+        // insta has accepted the picture, but it deletes only one of the two files that waited for
+        // review.
         let _ = fs::remove_file(locked_picture_path(name).with_extension("new"));
     }
 }
 
-/// Describes how a picture differs from the locked one, or that there is none, and writes the
-/// panels of the difference. Returns None if they are equal.
+/// Describes how a picture differs from the locked one, or says that there is no locked one, and
+/// saves panels that show the difference. Returns None if the two pictures are equal.
 fn describe_and_save_mismatch(name: &str, picture: &RgbImage) -> Option<String> {
     let path = locked_picture_path(name);
     let has_text = path.with_extension("").exists();

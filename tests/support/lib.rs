@@ -1,4 +1,4 @@
-//! What the tests share: the list of locked pictures, the comparison of pixels, and random inputs.
+//! What the tests share: the list of locked pictures, the pixel comparison, and random inputs.
 
 mod compare_pixels;
 mod picture_list;

@@ -1,4 +1,4 @@
-//! The list of the locked pictures.
+//! The list of locked pictures.
 
 use course::examples::{checkerboard::colour as floor, mirror, terms};
 use course::{DrawPicture, camera, camera_with_size, ungated_colour};
@@ -11,23 +11,23 @@ use step05_phong::*;
 /// The name of a locked picture, its camera, and the function that draws it.
 pub type LockedPicture = (&'static str, Camera, DrawPicture);
 
-/// The locked pictures: of the steps and the exercises, of the chapters and the cover.
+/// Returns all locked pictures: those of the steps, the exercises and the chapters, and the cover.
 pub fn locked_pictures() -> Vec<LockedPicture> {
     let exercises = course::PICTURES.iter();
     let exercises = exercises.map(|(name, draw)| (*name, camera(), *draw));
     exercises.chain(chapter_pictures()).collect()
 }
 
-/// Lists pictures, and defines `with_chapter_picture_names`, which calls a macro with their names:
-/// only a macro can declare a test for each.
+/// Lists pictures, and defines `with_chapter_picture_names`, which passes their names to another
+/// macro. Only a macro can declare a test for each picture.
 macro_rules! chapter_pictures {
     ($dollar:tt $($name:ident: $camera:expr, $draw:expr;)*) => {
-        /// The pictures that a chapter shows besides those of steps and exercises, and the cover.
+        /// The pictures in chapters that belong to no step or exercise, and the cover.
         fn chapter_pictures() -> Vec<LockedPicture> {
             vec![$((stringify!($name), $camera, $draw)),*]
         }
 
-        /// Calls a macro with the names of the chapters' pictures.
+        /// Passes the names of the chapters' pictures to a macro.
         #[macro_export]
         macro_rules! with_chapter_picture_names {
             ($dollar callback:ident) => { $dollar callback! { $($name)* } };
@@ -55,23 +55,23 @@ chapter_pictures! {
     goodbye: camera_with_size(1280, 720), |camera, _| mirror::picture(camera, 2);
 }
 
-/// Four tiles of the checkerboard.
+/// A camera that sees four tiles of the checkerboard.
 fn four_tiles_camera() -> Camera {
     crop_camera(camera(), [366.0, 264.0], [40, 30])
 }
 
-/// Where an open gate lets highlights through.
+/// A camera on the spot where an open gate (no test of n·l) lets highlights through.
 fn gate_detail_camera() -> Camera {
     crop_camera(camera(), [585.0, 150.0], [40, 30])
 }
 
-/// The white sphere, enlarged.
+/// A close-up camera on the white sphere.
 fn white_sphere_camera() -> Camera {
     crop_camera(camera_with_size(2560, 1440), [213.0, 926.0], [640, 360])
 }
 
-/// The camera of the course, with the tangent as a literal, so that it is the same on every
-/// machine.
+/// The course's camera, with the tangent written as a literal. `tan` may round differently on
+/// another machine, and the picture drawn with this camera shows rounding errors.
 fn camera_without_tan() -> Camera {
     const TAN_30: f64 = 0.577_350_269_189_625_7;
     let d = 2.0 * TAN_30 / 639.0;
@@ -83,21 +83,21 @@ fn camera_without_tan() -> Camera {
     Camera { matrix, ..camera() }
 }
 
-/// Draws the scene of the mirrors with shadows only, before anything is reflected. The rays to the
-/// lights start `offset` above a surface.
+/// Draws the mirror scene with shadows but without reflections. The rays to the lights start
+/// `offset` above a surface.
 fn draw_shadows_of_mirrors(camera: &Camera, offset: f64) -> RgbImage {
     let scene = mirror::mirrors();
     render(camera, 1, |ray| mirror::colour(&scene, ray, 0, offset))
 }
 
-/// The camera of a part of a picture: its first column and row, and its numbers of columns and
-/// rows.
+/// Crops a camera to a rectangle of its picture, given by the first column and row, and by the
+/// number of columns and rows.
 fn crop_camera(camera: Camera, corner: [f64; 2], [h_res, v_res]: [u32; 2]) -> Camera {
     let crop = DMat3::from_translation(corner.into());
     Camera { h_res, v_res, matrix: camera.matrix * crop, ..camera }
 }
 
-/// Enlarges each pixel to a square of 16×16.
+/// Enlarges a picture, so that each pixel becomes a square of 16×16.
 fn enlarge(picture: RgbImage) -> RgbImage {
     resize(&picture, 16 * picture.width(), 16 * picture.height(), FilterType::Nearest)
 }

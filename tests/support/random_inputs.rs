@@ -1,34 +1,34 @@
-//! Random inputs for laws that hold for all of them.
+//! Random inputs, for testing laws that hold for every input.
 
 use fastrand::Rng;
 use glam::DVec3;
 
-/// Random inputs, which are the same in every run.
+/// A source of random inputs. Its seed is fixed, so every run gets the same inputs.
 pub struct RandomInputs(Rng);
 
-/// Calls a law this many times. A law asserts what holds for all inputs.
+/// Calls `law` `count` times. A law asserts something that holds for every input.
 pub fn test_law(count: usize, mut law: impl FnMut(&mut RandomInputs)) {
     let mut inputs = RandomInputs(Rng::with_seed(5));
     (0..count).for_each(|_| law(&mut inputs));
 }
 
 impl RandomInputs {
-    /// A number between two others.
+    /// Returns a number between `min` and `max`.
     pub fn number(&mut self, min: f64, max: f64) -> f64 {
         min + (max - min) * self.0.f64()
     }
 
-    /// A whole number below `end`.
+    /// Returns an index below `end`.
     pub fn index(&mut self, end: usize) -> usize {
         self.0.usize(..end)
     }
 
-    /// A point within 10 of the origin along each axis.
+    /// Returns a point whose coordinates are between −10 and 10.
     pub fn point(&mut self) -> DVec3 {
         [(); 3].map(|()| self.number(-10.0, 10.0)).into()
     }
 
-    /// A vector of length 1.
+    /// Returns a vector of length 1.
     pub fn unit_vector(&mut self) -> DVec3 {
         self.point().normalize_or(DVec3::X)
     }

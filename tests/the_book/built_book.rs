@@ -17,13 +17,13 @@ fn book_is_built() {
     }
 }
 
-/// The book as a reader opens it.
+/// Returns the book as a reader opens it.
 pub fn built_book() -> &'static Site {
     BOOK.as_ref().unwrap_or_else(|_| panic!("see the test book_is_built"))
 }
 
-/// Builds the book. With nextest, each test has a process of its own, and the first one builds the
-/// book for all of them.
+/// Builds the book. Under nextest, each test runs in its own process, so the first one builds the
+/// book and the others read it.
 fn build_or_read() -> Result<Site> {
     let folder = target_folder().join("tests/book");
     let Some(run) = nextest_run_id() else {
@@ -40,7 +40,7 @@ fn build_or_read() -> Result<Site> {
     Site::read(&folder)
 }
 
-/// The files of a folder of the project.
+/// Reads all files in a folder of the workspace.
 pub fn read_folder(folder: &str) -> Files {
     let files = Files::read(&workspace().join(folder));
     files.unwrap_or_else(|error| panic!("{folder}: {error}"))

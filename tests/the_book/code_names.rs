@@ -1,16 +1,17 @@
-//! Names in the text of a chapter are names of the code, so that no rename leaves one behind.
+//! Tests that code names in a chapter's text exist in the code, so that no rename leaves one
+//! behind.
 
 use super::assert_no_faults;
 use super::built_book::read_folder;
 use super::source_listings::SOURCE_FILES;
 use std::collections::HashSet;
 
-/// Names that are in no file of the steps, but in Rust's standard library, insta, OpenGL or a
+/// Names that aren't in the steps' files, but come from Rust's standard library, insta, OpenGL or a
 /// workflow.
 const FOREIGN_NAMES: [&str; 7] =
     ["break", "f32", "ceil", "INSTA_UPDATE", "unseen", "gluPerspective", "LATE"];
 
-/// The words of a text, each with the text before it and the text after it.
+/// Splits a text into words, each with the text before it and the text after it.
 fn words_with_surroundings(text: &str) -> impl Iterator<Item = (&str, &str, &str)> {
     let is_part = |c: char| c.is_alphanumeric() || c == '_';
     let words = text.split(move |c| !is_part(c)).filter(|word| !word.is_empty());
@@ -20,8 +21,8 @@ fn words_with_surroundings(text: &str) -> impl Iterator<Item = (&str, &str, &str
     })
 }
 
-/// Whether a word in code has to be a name: because it is all of the code, `snake_case`,
-/// `CamelCase`, called as a function, or a part of a path.
+/// Whether a word in a code span has to be a name: it is the whole span, `snake_case`, `CamelCase`,
+/// called as a function, or part of a path.
 fn is_name(before: &str, word: &str, after: &str) -> bool {
     let mut pairs = word.chars().zip(word.chars().skip(1));
     word.starts_with(|c: char| c.is_alphabetic())
@@ -33,7 +34,7 @@ fn is_name(before: &str, word: &str, after: &str) -> bool {
             || after.starts_with('('))
 }
 
-/// The paths of the files that a reader types, each with its code without comments.
+/// The files that a reader types, as pairs of a path and the code without its comments.
 fn reader_code_without_comments() -> Vec<(&'static str, String)> {
     let files = SOURCE_FILES.texts_with_suffix("").map(|(path, text)| {
         let lines = text.lines().map(|line| match line.split_once("//") {
@@ -48,9 +49,9 @@ fn reader_code_without_comments() -> Vec<(&'static str, String)> {
 /// The names in the files that a reader types.
 struct SourceNames<'a> {
     files: &'a [(&'static str, String)],
-    /// All words of the code and of the paths.
+    /// All words in the code and in the paths.
     words: HashSet<&'a str>,
-    /// The names that are defined or called with parentheses.
+    /// The names that are directly followed by `(` or `<`, such as functions.
     called: HashSet<&'a str>,
 }
 
@@ -70,7 +71,7 @@ impl<'a> SourceNames<'a> {
         }
     }
 
-    /// Whether `owner::name` is in the code, or the name is in a file that declares the owner.
+    /// Whether `owner::name` occurs in the code, or `name` occurs in a file that declares `owner`.
     fn has_path(&self, owner: &str, name: &str) -> bool {
         self.files.iter().any(|(_, code)| {
             let declares_owner = words_with_surroundings(code).any(|(before, word, _)| {
@@ -87,7 +88,7 @@ impl<'a> SourceNames<'a> {
     }
 }
 
-/// What is wrong with the names in a chapter's code, in sentences.
+/// Describes what is wrong with the names in a code span, in one sentence per fault.
 fn faults_in_code(code: &str, source: &SourceNames) -> Vec<String> {
     let mut faults = vec![];
     for (before, word, after) in

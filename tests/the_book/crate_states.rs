@@ -1,5 +1,5 @@
-//! The crates compile at each heading and each command of their chapters, as far as a reader has
-//! typed them.
+//! Tests that at each heading and each command in their chapters, the crates compile in the *state*
+//! in which a reader has typed them so far.
 
 use super::built_book::built_book;
 use super::page_items::{PageItem, TypedFiles, page_items};
@@ -7,7 +7,7 @@ use super::reader_workspace::{ReaderWorkspace, pages_of_step};
 use anyhow::{Result, ensure};
 use course::{Step, crate_as_module};
 
-/// The manifest of a crate in which each state is a module.
+/// The manifest of a crate that has a module for each state.
 const STATES_MANIFEST: &str = "
     package = { name = \"states\", edition.workspace = true }
     [dependencies]
@@ -21,7 +21,7 @@ const STATES_MANIFEST: &str = "
     step04_diffuse = { path = \"../step04_diffuse\" }
 ";
 
-/// All states of all crates are compiled at once, as modules of one crate.
+/// Compiles all states of all crates at once, as modules of a single crate.
 #[test]
 fn crates_compile_at_each_heading_and_command() -> Result<()> {
     let (reader, mut modules) = (ReaderWorkspace::with_typed_book(), String::new());

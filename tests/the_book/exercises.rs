@@ -1,16 +1,16 @@
-//! An exercise has its section and its form on a practice page, and its solution on the page of
-//! solutions, all under the name of its picture.
+//! Tests that each exercise has a section and a form on a practice page, and a solution on the
+//! solutions page, all named after its picture.
 
 use super::assert_no_faults;
 use super::built_book::built_book;
 use builder::Page;
 use std::collections::BTreeMap;
 
-/// The solutions that are no exercise of a practice page: `fast` has a page of its own, Faster.
+/// Solutions without an exercise on a practice page: `fast` has its own page, "Faster".
 const WITHOUT_PRACTICE: [&str; 1] = ["fast"];
 
-/// The sections of a page that have an exercise's name, each with the pictures of the forms below
-/// its heading.
+/// Maps each section of a page that is named after an exercise to the pictures that the forms below
+/// its heading ask for.
 fn sections(page: &Page) -> BTreeMap<&str, Vec<&str>> {
     let (mut sections, mut section) = (BTreeMap::new(), None);
     for element in &page.elements {

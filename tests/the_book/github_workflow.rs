@@ -1,6 +1,6 @@
-//! The workflow for a class that starts from `book/reader` passes if a student's program draws the
-//! picture, and fails if the picture is only a file. The commands of its two jobs are run as GitHub
-//! runs them, each job in a folder of its own.
+//! Tests the workflow for a class that starts from `book/reader`: it passes if a student's program
+//! draws the picture, and fails if the picture is only a file. The commands of its two jobs are run
+//! as GitHub runs them, each job in its own folder.
 
 use super::built_book::built_book;
 use super::page_items::typed_files;
@@ -13,26 +13,26 @@ use std::{env, fs};
 
 const WORKFLOW: &str = include_str!("../../book/reader/.github/workflows/classroom.yml");
 
-/// A command of a job.
+/// A command in a job.
 struct JobCommand {
     lines: String,
-    /// Whether it runs only after another has failed.
+    /// Whether the command runs only if an earlier one has failed.
     is_for_failure: bool,
 }
 
-/// The text of a job, up to the next job.
+/// The workflow's text for a job, up to the next job.
 fn job_text(job: &str) -> &'static str {
     let (_, text) = WORKFLOW.split_once(&format!("\n  {job}:\n")).expect("the job");
     text.split_once("\n\n").map_or(text, |(text, _)| text)
 }
 
-/// The commands of a job in their order, without the one that updates Rust.
+/// The commands of a job in order, except for the one that updates Rust.
 fn job_commands(job: &str) -> Vec<JobCommand> {
     let steps = job_text(job).split("\n      - ").skip(1);
     let command = |step: &str| {
         let (_, command) = step.split_once("run: ")?;
         let lines = command.lines().enumerate();
-        // The lines of a block are indented further than the keys of the step.
+        // The lines of a multi-line command are indented further than the step's keys.
         let lines = lines.take_while(|(k, line)| *k == 0 || line.starts_with("          "));
         let lines: Vec<_> = lines.map(|(_, line)| line).filter(|line| *line != "|").collect();
         let is_for_failure = step.contains("if: failure()");
@@ -42,8 +42,8 @@ fn job_commands(job: &str) -> Vec<JobCommand> {
     commands.filter(|command| !command.lines.starts_with("rustup")).collect()
 }
 
-/// Runs a command of bash in a folder with environment variables. Returns what it prints, or an
-/// error if the command fails.
+/// Runs a bash command in `folder`, with these environment variables. Returns what it prints, or an
+/// error if it fails.
 fn run(folder: &Path, command: &str, variables: &[(&str, &str)]) -> Result<String> {
     let manifest = format!("--manifest-path '{}'/", workspace().display());
     let lines = command.replace("--manifest-path course/", &manifest);
@@ -55,8 +55,8 @@ fn run(folder: &Path, command: &str, variables: &[(&str, &str)]) -> Result<Strin
         shell.env("CARGO_TARGET_DIR", target_folder());
         shell.env_remove("CARGO_BUILD_BUILD_DIR").env_remove("CARGO_INCREMENTAL");
     } else {
-        // Different from all other folders, so that Cargo uses no crate that was built for another
-        // one.
+        // No other folder uses this level, so Cargo won't reuse a crate that was built for a
+        // different one.
         shell.env("CARGO_PROFILE_DEV_OPT_LEVEL", "2");
     }
     let Output { status, stdout, stderr } = shell.output()?;
@@ -68,7 +68,7 @@ fn run(folder: &Path, command: &str, variables: &[(&str, &str)]) -> Result<Strin
 const COMMIT: &str = "git add --all && \
     git -c user.name=Ada -c user.email=ada@example.org commit --quiet --message=work";
 
-/// Makes a repository from the template.
+/// Creates a repository from the template in `folder`.
 fn copy_template(folder: &Path) -> Result<()> {
     fs::create_dir_all(folder)?;
     let course = workspace();
@@ -79,7 +79,7 @@ fn copy_template(folder: &Path) -> Result<()> {
     Ok(())
 }
 
-/// Types step 1 in a folder.
+/// Writes step 1 into `folder`, as a reader types it.
 fn type_first_step(folder: &Path) -> Result<()> {
     for (path, text) in typed_files(pages_of_step(built_book(), "step01_rays")) {
         fs::create_dir_all(folder.join(path).with_file_name(""))?;
@@ -88,8 +88,8 @@ fn type_first_step(folder: &Path) -> Result<()> {
     Ok(())
 }
 
-/// Runs both jobs on a clone of what is committed, with these pictures required. Returns what they
-/// print, or an error if the workflow fails.
+/// Runs both jobs on a clone of the last commit, with these pictures required. Returns what the
+/// jobs print, or an error if the workflow fails.
 fn run_workflow(folder: &Path, required: &str) -> Result<String> {
     let jobs = folder.with_file_name("jobs");
     let _ = fs::remove_dir_all(&jobs);
@@ -128,7 +128,8 @@ fn run_workflow(folder: &Path, required: &str) -> Result<String> {
     result.map(|()| text)
 }
 
-/// Renames a folder in which the crate `locked` is compiled, runs its tests, and renames it back.
+/// Renames a folder in which the crate `locked` has been compiled, runs that crate's tests, and
+/// renames the folder back.
 fn test_renamed_folder(folder: &Path) -> Result<()> {
     let renamed = folder.with_file_name("renamed");
     fs::rename(folder, &renamed)?;
@@ -167,9 +168,10 @@ fn workflow_is_green_for_a_picture_that_is_drawn() -> Result<()> {
     assert!(run_workflow(&folder, "")?.contains("Nothing is required"));
     assert!(run_workflow(&folder, "step01_rays, step02_sphere").is_err());
     run(&class.join("jobs/draw/student"), "cargo test -p locked", &[])?;
-    // Nothing draws the picture, but it is there: committed, copied by a setting of Cargo, in a
-    // folder with the name of the one that the workflow draws in, or beside code that doesn't
-    // compile. Or the program draws another picture, and locks that in the course beside it.
+    // In all of these attacks but one, no program draws the right picture, but it is there: it's
+    // committed, copied by a Cargo setting, put into a folder with the same name as the one that
+    // the workflow draws in, or left beside code that doesn't compile. In the other one, the
+    // program draws a wrong picture, and overwrites the locked one in the course's folder with it.
     fs::copy(locked_picture_path("step01_rays"), folder.join("step01_rays.png"))?;
     fs::copy(locked_picture_path("step02_sphere"), folder.join("wrong.png"))?;
     let attacks = [

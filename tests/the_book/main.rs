@@ -1,4 +1,4 @@
-//! What the book promises, tested in the HTML that a reader opens.
+//! Tests of what the book promises, on the HTML that a reader opens.
 //!
 //! The book is built once for all of these tests. The build itself fails if a chapter can't be
 //! expanded, if a picture isn't a locked one or has no alternative text, if a link is broken, or if
@@ -22,7 +22,7 @@ mod github_workflow;
 mod own_scene;
 mod typed_book;
 
-/// Fails if there are faults, and prints all of them.
+/// Panics if there are any faults, and prints all of them.
 #[track_caller]
 fn assert_no_faults(faults: &[String]) {
     assert!(faults.is_empty(), "\n{}", faults.join("\n"));

@@ -1,4 +1,5 @@
-//! A scene of one's own: the Rust program that a page writes for it draws its picture.
+//! Tests that the Rust program that a page writes for the reader's own scene draws the same picture
+//! as the page.
 
 use super::built_book::read_folder;
 use super::reader_workspace::ReaderWorkspace;
@@ -6,7 +7,7 @@ use course::describe_difference;
 use figures::{COLUMNS, Content, EditableScene, Figure, find_figure, parse_address};
 use image::RgbImage;
 
-/// Scenes of the page, by their addresses.
+/// The addresses of some scenes on the page.
 const ADDRESSES: [&str; 5] = [
     "",
     "red-sphere-sideways:0,red-sphere-upwards:0,red-sphere-towards-you:0",
@@ -21,8 +22,8 @@ fn find_scene() -> (&'static Figure, &'static EditableScene) {
     (figure, figure.editable_scene.as_ref().expect("a scene"))
 }
 
-/// The page shows the file of the example, and once a reader changes the scene, the program that
-/// is written for it.
+/// At first, the page shows the example's file. Once a reader changes the scene, it shows the
+/// program written for that scene, so the two have to agree before any change.
 #[test]
 fn program_of_the_unchanged_scene_is_the_example() {
     let (figure, scene) = find_scene();
@@ -44,7 +45,8 @@ fn program_of_a_scene_draws_its_picture() {
     }
 }
 
-/// Saves a program, and runs it by the command in its second line, which ends with its name.
+/// Saves a program, and runs it with the command in the program's second line. The command ends
+/// with the program's name.
 fn assert_program_draws(reader: &ReaderWorkspace, program: &str, picture: &RgbImage) {
     let command = program.lines().nth(1).and_then(|line| line.split('`').nth(1));
     let command = command.expect("a command");

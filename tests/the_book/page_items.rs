@@ -1,12 +1,12 @@
-//! What a reader who types along finds on a page.
+//! The items on a page that matter to a reader who types along.
 
 use builder::Page;
 use std::collections::BTreeMap;
 
-/// The texts of the files that were typed so far, by path.
+/// The text of each file typed so far, keyed by path.
 pub type TypedFiles<'a> = BTreeMap<&'a str, String>;
 
-/// Types all listings of these pages, as a reader does.
+/// Types all listings on these pages, as a reader does.
 pub fn typed_files<'a>(pages: impl IntoIterator<Item = &'a Page>) -> TypedFiles<'a> {
     let mut typed = TypedFiles::new();
     for item in pages.into_iter().flat_map(page_items) {
@@ -17,10 +17,10 @@ pub fn typed_files<'a>(pages: impl IntoIterator<Item = &'a Page>) -> TypedFiles<
     typed
 }
 
-/// A part of a page that a reader who types along acts on.
+/// An item on a page that matters to a reader who types along.
 pub enum PageItem<'a> {
     Heading,
-    /// The path of a file, and the lines to add at its end.
+    /// A file's path, and the lines to append to the file.
     Listing(&'a str, String),
     /// A command to run in the reader's folder.
     Command(PageCommand),
@@ -28,9 +28,9 @@ pub enum PageItem<'a> {
 
 /// A command on a page, with its output as the page shows it.
 pub struct PageCommand {
-    /// The page, and the position on it.
+    /// The page, and the last id before the command.
     pub location: String,
-    /// The command, for a shell.
+    /// The command line, for a shell.
     pub line: String,
     /// The exit code that the page promises, or 0 if it promises none.
     pub exit_code: i32,
@@ -38,14 +38,14 @@ pub struct PageCommand {
     pub output: String,
 }
 
-/// The headings, listings and commands of a page, from top to bottom, except the commands for our
-/// own folder.
+/// Returns the headings, listings and commands on a page, from top to bottom, except for commands
+/// to be run in our own folder.
 pub fn page_items(page: &Page) -> Vec<PageItem<'_>> {
     let mut items = vec![];
     for element in &page.elements {
         let exit_code = match element.attr("data-folder") {
             Some("ours") => continue,
-            // Invalid arguments, and a test that fails.
+            // The exit codes of clap for invalid arguments, and of Cargo for a failing test.
             Some("yours refused") => 2,
             Some("yours fails") => 101,
             _ => 0,
@@ -56,7 +56,7 @@ pub fn page_items(page: &Page) -> Vec<PageItem<'_>> {
             (_, Some("listing")) => {
                 let path = element.attr("data-path").expect("the path of a listing");
                 let code = code();
-                // mdBook ends the last line of code in any language except Rust.
+                // mdBook adds a final newline to code in any language except Rust.
                 let is_rust = code.attr("class").is_some_and(|class| class.contains("rust"));
                 let end = if is_rust { "\n" } else { "" };
                 items.push(PageItem::Listing(path, page.text(code).to_owned() + end));

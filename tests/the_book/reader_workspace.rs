@@ -1,4 +1,4 @@
-//! A workspace as a reader has it, in which the commands of the book are run.
+//! A workspace like a reader's, in which the book's commands are run.
 
 use super::built_book::built_book;
 use super::page_items::{TypedFiles, typed_files};
@@ -9,23 +9,23 @@ use std::fs::{self, File};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
-/// The pages of a step, in the order of the book. Their names begin with the first word of the
-/// step's name.
+/// Returns the pages about a step, in the book's order. Their names begin with the first word of
+/// the step's name, such as `step01`.
 pub fn pages_of_step<'a>(book: &'a Site, step: &str) -> impl Iterator<Item = &'a Page> {
     let pages = book.pages_in_order().into_iter();
     pages.filter(move |page| page.name.split('_').next() == step.split('_').next())
 }
 
-/// A workspace with the files that the book shows, and nothing else.
+/// A workspace with only the files that the book shows.
 pub struct ReaderWorkspace {
     pub folder: PathBuf,
-    /// Makes other tests wait until this one no longer uses the folder.
+    /// Makes other tests wait until this one is done with the folder.
     _lock: File,
 }
 
 impl ReaderWorkspace {
-    /// Opens the workspace. Files of an earlier run may be in it, so that Cargo doesn't compile
-    /// again what hasn't changed.
+    /// Opens the workspace. It keeps the files from an earlier run, so that Cargo only recompiles
+    /// what has changed.
     pub fn open() -> Self {
         let folder = target_folder().join("typed");
         fs::create_dir_all(&folder).expect("a folder in the target folder");
@@ -34,7 +34,7 @@ impl ReaderWorkspace {
         Self { folder, _lock: lock }
     }
 
-    /// Opens the workspace and writes all the listings of the book into it.
+    /// Opens the workspace, and writes all of the book's listings into it.
     pub fn with_typed_book() -> Self {
         let (book, reader) = (built_book(), Self::open());
         let typed = typed_files(book.pages_in_order());
@@ -59,8 +59,9 @@ impl ReaderWorkspace {
         Ok(())
     }
 
-    /// Lists the members of the workspace by name. Cargo reads `steps/*` as a pattern together with
-    /// the path of the folder, so it finds no member if that path has square brackets.
+    /// Replaces `steps/*` in the manifest with the names of the members. Cargo expands that pattern
+    /// together with the workspace's own path, so it would find no members if the path contained
+    /// square brackets.
     fn list_members(&self) -> Result<()> {
         let mut members = vec![];
         for entry in fs::read_dir(self.folder.join("steps"))? {
@@ -75,8 +76,8 @@ impl ReaderWorkspace {
         self.write_if_changed("Cargo.toml", &manifest)
     }
 
-    /// Runs a program with its arguments, at this optimisation level. Returns the exit code and
-    /// what is printed.
+    /// Runs a command, given as its words, with this optimisation level. Returns its exit code and
+    /// what it prints.
     pub fn run(&self, words: &[&str], opt_level: &str) -> Result<(Option<i32>, String)> {
         self.list_members()?;
         let mut command = folder_command(&self.folder, words);
@@ -87,18 +88,19 @@ impl ReaderWorkspace {
     }
 }
 
-/// A command that runs a program with its arguments in a reader's folder.
+/// Prepares a command, given as its words, to run in a reader's folder.
 pub fn folder_command(folder: &Path, words: &[&str]) -> Command {
     let mut command = Command::new(words[0]);
     command.args(&words[1..]).current_dir(folder);
     command.env("CARGO_NET_OFFLINE", "true").env("CARGO_TERM_QUIET", "true");
-    // Dependencies are shared with ours, which are already compiled with the same settings. The
-    // five crates have the same names here and there, so the callers optimise them differently, and
-    // neither overwrites the other.
+    // Share our build folder, in which the dependencies are already compiled with the same
+    // settings. The reader's five crates have the same names as ours, so the callers choose a
+    // different optimisation level for them, and neither set overwrites the other.
     command.env("CARGO_BUILD_BUILD_DIR", target_folder()).env("CARGO_INCREMENTAL", "0");
-    // The commands set INSTA_UPDATE themselves, and INSTA_WORKSPACE_ROOT is our folder.
+    // The book's commands set INSTA_UPDATE themselves, and INSTA_WORKSPACE_ROOT would point to our
+    // folder.
     command.env_remove("INSTA_UPDATE").env_remove("INSTA_WORKSPACE_ROOT");
-    // With a target, the programs would be in another folder.
+    // With this variable set, Cargo would put the programs into a different folder.
     command.env_remove("CARGO_BUILD_TARGET");
     command
 }

@@ -1,4 +1,4 @@
-//! Every figure, and every interactive picture, is in a chapter.
+//! Tests that every figure and every interactive picture is in a chapter.
 
 use super::assert_no_faults;
 use super::built_book::built_book;

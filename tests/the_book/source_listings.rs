@@ -1,4 +1,4 @@
-//! Every line of every file of the five crates is in a listing of the book, once.
+//! Tests that the book lists every line of every file of the five crates exactly once.
 
 use super::assert_no_faults;
 use super::built_book::{built_book, read_folder};
@@ -6,8 +6,8 @@ use super::page_items::typed_files;
 use builder::Files;
 use std::sync::LazyLock;
 
-/// The files that a reader types, by path: those of the five crates and their settings for rustfmt,
-/// of `book/reader`, and of `book/typed`.
+/// The files that a reader types, keyed by path: those of the five crates, with their rustfmt
+/// settings, and those in `book/reader` and `book/typed`.
 pub static SOURCE_FILES: LazyLock<Files> = LazyLock::new(|| {
     let steps = read_folder("steps").0.into_iter();
     let steps = steps.map(|(path, bytes)| (format!("steps/{path}"), bytes));

@@ -1,5 +1,6 @@
-//! A reader needs nothing but the book. Its listings are typed from the first page to the last, and
-//! its commands do what the pages say. `source_listings` tests that all files are typed in the end.
+//! Tests that a reader needs nothing but the book: its listings are typed from the first page to
+//! the last, and its commands do what the pages say. `source_listings` tests that every file is
+//! complete at the end.
 
 use super::built_book::built_book;
 use super::page_items::{PageCommand, PageItem, TypedFiles, page_items};
@@ -11,7 +12,8 @@ use std::fs;
 use std::path::PathBuf;
 
 /// What a page asks the reader to change before a command: the end of the command, a file, the text
-/// there, and the text to write instead. The next listings that are typed change it back.
+/// to replace there, and the new text. The edit is undone when the files are written again before
+/// the next command.
 const EDITS: [[&str; 4]; 3] = [
     ["$ cargo test -p locked", "steps/step01_rays/src/direction_colour.rs", "0.3 *", "0.31 *"],
     ["rash.png", "steps/step05_phong/examples/mirror.rs", "10, OFFSET", "0, 0.0"],
@@ -48,8 +50,8 @@ fn commands_do_what_their_pages_say() -> Result<()> {
     Ok(())
 }
 
-/// Whether a command runs an example that no page has listed yet. It's the reader's own solution of
-/// an exercise.
+/// Whether a command runs an example that no page has listed yet, because it's the reader's own
+/// solution to an exercise.
 fn runs_unlisted_example(PageCommand { line, .. }: &PageCommand, typed: &TypedFiles) -> bool {
     line.split_once("--example ").is_some_and(|(_, words)| {
         let file = format!("/examples/{}.rs", words.split(' ').next().unwrap_or_default());
@@ -57,8 +59,8 @@ fn runs_unlisted_example(PageCommand { line, .. }: &PageCommand, typed: &TypedFi
     })
 }
 
-/// Runs a command of a page in the reader's workspace. Returns the names of the locked pictures
-/// that it drew, or an error unless its exit code, output and pictures are as the page says.
+/// Runs a command from a page in the reader's workspace. Returns the names of the locked pictures
+/// that it drew. It's an error if the exit code, output or pictures differ from what the page says.
 fn run_and_verify(reader: &ReaderWorkspace, command: &PageCommand) -> Result<Vec<String>> {
     for path in picture_paths(reader)? {
         fs::remove_file(path)?;
@@ -93,7 +95,7 @@ fn run_and_verify(reader: &ReaderWorkspace, command: &PageCommand) -> Result<Vec
     Ok(names)
 }
 
-/// The paths of the pictures at the top of the reader's folder.
+/// The paths of the PNG files directly in the reader's folder.
 fn picture_paths(reader: &ReaderWorkspace) -> Result<Vec<PathBuf>> {
     let files = fs::read_dir(&reader.folder)?.flatten().map(|file| file.path());
     Ok(files.filter(|path| path.extension().is_some_and(|end| end == "png")).collect())

@@ -1,4 +1,4 @@
-//! A first picture, without a ray: red grows to the right, green upwards.
+//! A first picture, without rays: red increases to the right, green upwards.
 
 use image::{ImageResult, Rgb, RgbImage};
 

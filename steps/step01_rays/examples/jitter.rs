@@ -26,14 +26,15 @@ pub fn jittered(camera: &Camera, side: u32, i: f64, j: f64) -> Ray {
     camera.ray(i + (u - 0.5) / side, j + (v - 0.5) / side)
 }
 
-/// The colour that `ray` sees: rings around the middle, finer further out.
+/// The colour that `ray` sees: rings around the middle, finer towards the edges.
 fn colour(ray: &Ray) -> DVec3 {
     let v = ray.direction;
     let rings = 2800.0 * (v.x * v.x + v.y * v.y);
     direction_colour(ray) * if rings.fract() < 0.5 { 1.0 } else { 0.4 }
 }
 
-/// The picture: rays on a grid on the left, random ones on the right; at least 4×4.
+/// The picture: rays on a grid in the left half, and random rays in the right half;
+/// at least 4×4 per pixel.
 pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
     let side = samples.max(4);
     let centres = sub_pixel_offsets(side);

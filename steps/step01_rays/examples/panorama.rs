@@ -1,4 +1,5 @@
-//! A panorama: 360 degrees around and 180 degrees up and down, from two angles.
+//! A panorama: 360 degrees around and 180 degrees from top to bottom, with two
+//! angles for each direction.
 
 use glam::DVec3;
 use image::RgbImage;
@@ -15,14 +16,16 @@ pub fn direction(longitude: f64, latitude: f64) -> DVec3 {
 
 /// The direction V of column `i` and row `j` of the panorama.
 ///
-/// The columns divide the whole circle, the rows the half circle from pole to pole.
+/// The columns divide the whole circle, and the rows the half circle from pole to
+/// pole.
 pub fn panoramic(camera: &Camera, i: f64, j: f64) -> DVec3 {
     let across = (i + 0.5) / f64::from(camera.h_res);
     let down = (j + 0.5) / f64::from(camera.v_res);
     direction((across - 0.5) * TAU, (0.5 - down) * PI)
 }
 
-/// The colour along `v` from the middle of a tiled cube with coloured walls.
+/// The colour in the direction `v`, seen from the middle of a tiled cube with
+/// coloured walls.
 fn colour(v: DVec3) -> DVec3 {
     let wall = v / v.abs().max_element();
     let colour = match wall.to_array() {

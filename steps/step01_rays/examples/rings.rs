@@ -1,4 +1,4 @@
-//! Rings, which show how long each ray is.
+//! Rings that show how long each ray's V is.
 
 use glam::DVec3;
 use image::RgbImage;

@@ -1,4 +1,4 @@
-//! A row of rays in a flat world: prints their directions.
+//! Prints the directions of a row of rays in a flat world.
 
 use glam::{DMat2, DVec2};
 
@@ -9,7 +9,7 @@ pub struct Row {
 }
 
 impl Row {
-    /// A row of `h_res` rays, the outermost of which enclose the angle
+    /// A row of `h_res` rays. The angle between the outermost two is
     /// `field_of_view`, θ, in radians.
     pub fn new(h_res: u32, field_of_view: f64) -> Self {
         let tan = (field_of_view / 2.0).tan();

@@ -1,4 +1,4 @@
-//! The starting point of the exercises of step 1: step 1's own picture.
+//! The starting point for the exercises of step 1. It draws step 1's own picture.
 
 use glam::DVec3;
 use image::RgbImage;

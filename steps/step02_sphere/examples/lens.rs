@@ -1,4 +1,4 @@
-//! A lens: the part that two spheres share.
+//! A lens: the intersection of two spheres.
 
 use glam::DVec3;
 use image::RgbImage;
@@ -20,7 +20,7 @@ pub const RAY: Interval = Interval { enter: 0.0, leave: f64::INFINITY };
 
 impl Interval {
     /// The piece of `ray` inside `sphere`, even if it is behind the start. Returns
-    /// None if the ray misses, or only touches.
+    /// None if the ray misses the sphere or only touches it.
     pub fn inside(sphere: &Sphere, ray: &Ray) -> Option<Self> {
         match sphere.intersect(ray) {
             Roots::Two(enter, leave) => Some(Self { enter, leave }),
@@ -28,7 +28,8 @@ impl Interval {
         }
     }
 
-    /// The part that both share: from the later beginning to the earlier end.
+    /// The part that the two intervals share: from the later beginning to the
+    /// earlier end. Returns None if there is none.
     pub fn overlap(self, other: Self) -> Option<Self> {
         let enter = self.enter.max(other.enter);
         let leave = self.leave.min(other.leave);
@@ -47,8 +48,9 @@ pub fn inside_all(spheres: &[Sphere], ray: &Ray) -> Option<Interval> {
 pub const SPHERES: [Sphere; 2] =
     [Sphere::new([-0.75, -0.15, -5.4], 1.5), Sphere::new([0.75, 0.15, -4.6], 1.5)];
 
-/// The colour `behind`, seen through coloured glass that fills the part that all
-/// `spheres` share. The longer the way through it, the less of `behind` is left.
+/// The colour `behind`, seen through coloured glass that fills the intersection of
+/// all `spheres`. The longer the ray's path through the glass, the less of `behind`
+/// is left.
 fn through(spheres: &[Sphere], glass: DVec3, behind: DVec3, ray: &Ray) -> DVec3 {
     let Some(piece) = inside_all(spheres, ray) else { return behind };
     let length = (piece.leave - piece.enter) * ray.direction.length();

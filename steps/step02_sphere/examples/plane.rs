@@ -16,7 +16,7 @@ pub struct Plane {
 
 impl Plane {
     /// The positive t at which `ray` meets the plane, t = n·(q − S) / n·V. Returns
-    /// None if there is none.
+    /// None if there is no such t.
     pub fn first_hit(&self, ray: &Ray) -> Option<f64> {
         let along = self.normal.dot(ray.direction);
         if along == 0.0 {

@@ -9,8 +9,8 @@ use step02_sphere::{
 /// A quadric, the points p with p·Qp + 2u·p + w = 0.
 #[derive(Clone, Copy, Debug)]
 pub struct Quadric {
-    /// Q, symmetric: the coefficients of x², y² and z², and half of those of xy, xz
-    /// and yz.
+    /// Q, symmetric: the coefficients of x², y² and z², and half of the
+    /// coefficients of xy, xz and yz.
     pub squares: DMat3,
     /// u, half of the coefficients of x, y and z.
     pub linear: DVec3,
@@ -36,7 +36,7 @@ impl Quadric {
         (a, b, c)
     }
 
-    /// Every t at which `ray` meets the quadric, the smaller first.
+    /// Every t at which `ray` meets the quadric, the smaller one first.
     pub fn intersect(&self, ray: &Ray) -> Roots {
         match self.coefficients(ray) {
             (0.0, 0.0, _) => Roots::Zero,
@@ -52,13 +52,13 @@ impl Quadric {
         self.intersect(ray).into_iter().find(|&t| t > 0.0 && between(t))
     }
 
-    /// The gradient of the left side at `p`, which points from inside to outside.
+    /// The gradient of the equation's left side at `p`. It points outwards.
     pub fn gradient(&self, p: DVec3) -> DVec3 {
         2.0 * (self.squares * p + self.linear)
     }
 }
 
-/// The three quadrics of the picture and their colours.
+/// The three quadrics in the picture, and their colours.
 pub fn scene() -> [(Quadric, DVec3); 3] {
     let tilt = DMat3::from_rotation_z(0.6);
     let long = DMat3::from_diagonal(DVec3::new(0.6, 2.0, 2.0));

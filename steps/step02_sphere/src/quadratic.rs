@@ -1,6 +1,3 @@
-use std::array;
-use std::iter::Flatten;
-
 /// The real roots of a quadratic equation: three cases, told apart by D = b² − 4ac.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Roots {
@@ -39,7 +36,7 @@ impl IntoIterator for Roots {
     type Item = f64;
     // What `into_iter` returns below: an `array::IntoIter` over two `Option`s, and
     // around it a `Flatten`, which leaves out each `None`.
-    type IntoIter = Flatten<array::IntoIter<Option<f64>, 2>>;
+    type IntoIter = std::iter::Flatten<std::array::IntoIter<Option<f64>, 2>>;
 
     /// Iterates over the roots, the smaller first.
     fn into_iter(self) -> Self::IntoIter {

@@ -18,7 +18,7 @@ fn colour(objects: &[Object<DVec3>], ray: &Ray) -> DVec3 {
     colours.iter().sum::<DVec3>() / colours.len() as f64
 }
 
-/// The picture: the objects of the scene, seen through one another.
+/// The picture: the scene's objects, seen through one another.
 pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
     render(camera, samples, |ray| colour(&OBJECTS, ray))
 }

@@ -36,8 +36,8 @@ impl Bounds {
     /// The t at which `ray` enters the box: 0 if it starts inside, infinity if it
     /// misses.
     ///
-    /// The ray is inside while it is between the two planes of each of the three
-    /// axes.
+    /// Each axis has two planes. The ray is inside the box while it is between the
+    /// two planes of all three axes.
     pub fn enter(&self, ray: &Ray) -> f64 {
         let one = (self.low - ray.start) / ray.direction;
         let other = (self.high - ray.start) / ray.direction;
@@ -52,7 +52,7 @@ impl Bounds {
 pub struct Tree<'a, M> {
     /// The box around its objects.
     pub bounds: Bounds,
-    /// Its content.
+    /// The objects, or the two smaller trees.
     pub content: Content<'a, M>,
 }
 
@@ -66,7 +66,7 @@ pub enum Content<'a, M> {
 }
 
 impl<'a, M> Tree<'a, M> {
-    /// Builds the tree around all `objects`, and puts them into its order.
+    /// Builds the tree around all `objects`, and sorts them into the tree's order.
     pub fn new(objects: &'a mut [Object<M>]) -> Self {
         let boxes = objects.iter().map(|object| Bounds::around(&object.sphere));
         let bounds = boxes.fold(Bounds::EMPTY, Bounds::with);
@@ -99,7 +99,8 @@ impl<'a, M> Tree<'a, M> {
         let mut found: Option<Hit<M>> = None;
         for (enter, half) in order {
             let end = found.as_ref().map_or(end, |hit| hit.t);
-            // A box that begins behind the nearest hit can't hold a nearer one.
+            // A box that begins farther away than the nearest hit can't hold a
+            // nearer one.
             if enter < end {
                 found = half.nearest(ray, end, ask).or(found);
             }

@@ -4,7 +4,7 @@ use glam::DVec3;
 use image::RgbImage;
 use step03_nearest::{Camera, Object, Sphere, colour, draw_and_save, render};
 
-/// A ball of one flat colour.
+/// A ball in one flat colour.
 pub fn ball(
     name: &'static str,
     centre: [f64; 3],

@@ -1,4 +1,4 @@
-//! The starting point of the exercises of step 3: step 3's own picture.
+//! The starting point for the exercises of step 3. It draws step 3's own picture.
 
 use glam::DVec3;
 use image::RgbImage;

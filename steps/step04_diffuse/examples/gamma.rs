@@ -8,7 +8,7 @@ use step04_diffuse::{
 };
 
 /// The sRGB value of a linear intensity I, both from 0 to 1: a straight line near
-/// black, a power above.
+/// black, and a power above that.
 pub fn srgb(i: f64) -> f64 {
     if i <= 0.0031308 { 12.92 * i } else { 1.055 * i.powf(1.0 / 2.4) - 0.055 }
 }

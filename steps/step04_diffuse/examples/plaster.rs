@@ -5,7 +5,7 @@ use step04_diffuse::{
     Camera, direction_colour, draw_and_save, render, scene, visible_point,
 };
 
-/// The picture: the light that reaches each point, as white plaster shows it.
+/// The picture: the light that reaches each point, as white plaster would show it.
 pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
     let scene = scene();
     render(camera, samples, |ray| {

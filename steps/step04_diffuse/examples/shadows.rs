@@ -1,4 +1,4 @@
-//! The scene of step 4 with a moon, and with shadows: a light counts only if
+//! The scene of step 4 with a moon, and with shadows: a light only counts if
 //! nothing is in its way.
 
 use glam::DVec3;

@@ -25,7 +25,7 @@ pub fn scene() -> Scene<Matte, PointLight> {
         attenuation: Attenuation { a: 0.4, b: 0.0, c: 0.5 },
     };
     let mut objects = objects();
-    // Its colour is beyond white, so that it glows in any light.
+    // Its colour is brighter than white, so that it glows in any light.
     objects.push(ball("lantern", lantern.position.into(), 0.2, [6.0, 4.5, 2.0]));
     let matte = objects.iter().map(|o| o.with_material(Matte::of(o.material)));
     Scene {

@@ -1,4 +1,4 @@
-//! The scene of step 4 at night, in the light of four spot lights.
+//! The scene of step 4 at night, in the light of four spotlights.
 
 use glam::DVec3;
 use image::RgbImage;
@@ -14,14 +14,15 @@ pub struct SpotLight {
     pub point_light: PointLight,
     /// e, the unit vector along the axis of the cone, away from the light.
     pub axis: DVec3,
-    /// The angle from the axis up to which the light is full, in radians.
+    /// The angle from the axis within which the light has its full strength, in
+    /// radians.
     pub inner: f64,
-    /// The angle from which on there is no light, greater than `inner`.
+    /// The angle beyond which there is no light, greater than `inner`.
     pub outer: f64,
 }
 
 impl SpotLight {
-    /// The part of its light that goes along −l: 1 within `inner`, 0 beyond
+    /// The fraction of its light that goes along −l: 1 within `inner`, 0 beyond
     /// `outer`.
     pub fn cone(&self, l: DVec3) -> f64 {
         let (inner, outer) = (self.inner.cos(), self.outer.cos());

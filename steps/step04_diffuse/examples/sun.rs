@@ -16,7 +16,7 @@ pub struct Sun {
     pub diffuse: DVec3,
 }
 
-/// The sun of the picture.
+/// The sun in the picture.
 pub const SUN: Sun = Sun {
     direction: DVec3::new(-4.0, 2.0, 1.0),
     diffuse: DVec3::new(1.0, 0.84, 0.64),

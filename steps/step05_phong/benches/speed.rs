@@ -14,7 +14,7 @@ fn main() {
 /// Numbers of spheres in front of the camera. Up to five are placed by hand.
 const SIZES: [usize; 8] = [0, 1, 5, 100, 1000, 10_000, 100_000, 1_000_000];
 
-/// Step 5 as it is, with the numbers of spheres that don't take minutes.
+/// Step 5 as it is, for the numbers of spheres that don't take minutes.
 #[divan::bench(args = SIZES[..5].iter().copied(), sample_count = 3)]
 fn clear(bencher: Bencher, count: usize) {
     measure(bencher, 1, lit(spheres(count)), |camera, scene| {
@@ -30,7 +30,7 @@ fn clear_step05(bencher: Bencher, threads: usize) {
     });
 }
 
-/// The final picture as PNG bytes.
+/// Encodes the final picture as a PNG file.
 #[divan::bench(sample_count = 20)]
 fn encode(bencher: Bencher) {
     let image = picture(&camera(), 1);
@@ -67,7 +67,8 @@ fn spheres(count: usize) -> Vec<Sphere> {
     if count <= 5 { five[..count].into() } else { cloud(count, 0.06..0.38) }
 }
 
-/// Spheres anywhere in a box in front of the camera, with any radii in a range.
+/// Spheres at random places in a box in front of the camera, with random radii in
+/// this range.
 fn cloud(count: usize, radius: std::ops::Range<f64>) -> Vec<Sphere> {
     // Numbers that look random: a multiplication and an addition, modulo 2⁶⁴.
     let mut state = 1_u64;
@@ -82,8 +83,8 @@ fn cloud(count: usize, radius: std::ops::Range<f64>) -> Vec<Sphere> {
     (0..count).map(|_| next()).collect()
 }
 
-/// A scene of these spheres in one white light. They take the materials of step 5's
-/// scene in turn.
+/// A scene of these spheres, lit by one white light. They take turns with the
+/// materials of step 5's scene.
 fn lit(spheres: Vec<Sphere>) -> Scene<Material, Light> {
     let point_light = PointLight {
         position: DVec3::new(3.0, 4.0, 0.0),
@@ -106,7 +107,7 @@ fn lit(spheres: Vec<Sphere>) -> Scene<Material, Light> {
 #[path = "../examples/fast.rs"]
 mod example;
 
-/// `fast`, which draws the same pictures, to the byte.
+/// `fast`, which draws the same pictures, byte for byte.
 #[divan::bench(args = SIZES, sample_count = 9)]
 fn fast(bencher: Bencher, count: usize) {
     measure_fast(bencher, 1, lit(spheres(count)));

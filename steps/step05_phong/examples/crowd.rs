@@ -23,16 +23,17 @@ fn overlap(one: &Sphere, other: &Sphere) -> bool {
     one.centre.distance(other.centre) < one.radius + other.radius - 1e-6
 }
 
-/// The material of the marble with this number: one of the scene's, except those of
-/// the ground, the white and the green sphere. Every fifth is a good mirror.
+/// The material of the marble with this number: one of the scene's materials, but
+/// not that of the ground, the white sphere or the green sphere. Every fifth marble
+/// is a good mirror.
 fn material(number: usize, scene: &Scene<Mirror, Light>) -> Mirror {
     let painted = [0, 2, 3, 5, 7, 8][number % 6];
     let material = scene.objects[painted].material.material;
     Mirror { material, k: if number.is_multiple_of(5) { 0.8 } else { 0.12 } }
 }
 
-/// The scene of the mirrors, with a marble wherever one of 599 places on its ground
-/// is free.
+/// The scene of the mirrors, with a marble at each of 599 places on its ground that
+/// is still free.
 pub fn crowd() -> Scene<Mirror, Light> {
     let mut scene = mirrors();
     let ground = scene.objects[1].sphere;

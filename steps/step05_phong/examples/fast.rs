@@ -1,5 +1,5 @@
-//! Draws any scene of step 5 fast: nearest spheres first, eight pixels at once. The
-//! bytes are the same as those of `render` with `colour`.
+//! Draws any scene of step 5 fast: nearest spheres first, eight pixels at once. It
+//! draws the same bytes as `render` with `colour`.
 
 use fearless_simd::{Level, Simd, dispatch, f64x8, prelude::*};
 use glam::{DMat3, DVec3};
@@ -33,8 +33,8 @@ impl Candidate {
     /// ray would hit by its computed a, b and c. These errors change D / 4a by less
     /// than 1e-14 (|s|² + r²). So the computed D may be positive for rays that pass
     /// the sphere at a distance of √(r² + 1e-14 (|s|² + r²)), and √D may be wrong
-    /// by the root of this error, as if t |V| were off by 1e-7 (|s| + r). We allow
-    /// for at least ten times as much of both.
+    /// by the root of this error, as if t |V| were off by 1e-7 (|s| + r). The
+    /// margins are at least ten times as large as both errors.
     fn new(
         index: usize,
         object: &Object<Material>,
@@ -45,7 +45,7 @@ impl Candidate {
         let (distance, c) = (s.length(), s.dot(s) - r * r);
         let widened = (r * r + 1e-12 * (s.dot(s) + r * r)).sqrt();
         let begin = (distance - r).abs() - 1e-6 * (distance + r);
-        // After an overflow this may be NaN, and `max` makes 0 of it.
+        // After an overflow this may be NaN, which `max` turns into 0.
         let begin = begin.max(0.0);
         Self { index, s, c, reach: widened + slack * (distance + widened), begin }
     }
@@ -57,7 +57,7 @@ impl Candidate {
 struct Pyramid([DVec3; 4]);
 
 impl Pyramid {
-    /// Returns true only if all of the sphere is on the outer side of a plane.
+    /// Returns true only if the whole sphere is on the outer side of a plane.
     fn misses(&self, sphere: &Candidate) -> bool {
         // The centre is at −s. If a number is NaN, the sphere isn't left out.
         self.0.iter().any(|normal| normal.dot(sphere.s) > sphere.reach)
@@ -87,13 +87,13 @@ impl Candidates for &[Candidate] {
     fn find_more(&mut self) {}
 }
 
-/// The candidates from a longer list that a pyramid doesn't miss.
+/// The candidates in a longer list that a pyramid doesn't miss.
 // `draw_band` has one on the stack, so this also aligns everything else on its
 // stack. A vector of 64 bytes then lies in one cache line rather than in two.
 #[repr(align(64))]
 struct Sieve<C> {
     source: C,
-    /// The number of candidates of the source that have been looked at.
+    /// The number of the source's candidates that have been looked at.
     looked_at: usize,
     pyramid: Pyramid,
     found: Vec<Candidate>,
@@ -148,12 +148,12 @@ impl<C: Candidates> Candidates for Sieve<C> {
     }
 }
 
-// 2. What eight rays see, by the operations of `colour` in the same order.
+// 2. What eight rays see, computed by the operations of `colour` in the same order.
 
 /// Eight vectors: the x of each, the y of each and the z of each.
 type Vectors<S> = [f64x8<S>; 3];
 
-/// Makes eight vectors, axis by axis, 0 to 2. It's here because
+/// Makes eight vectors, one axis at a time, from 0 to 2. It's here because
 /// `std::array::from_fn` isn't always inlined.
 #[inline(always)]
 fn vectors<S: Simd>(axis: impl Fn(usize) -> f64x8<S>) -> Vectors<S> {
@@ -165,8 +165,8 @@ fn dot<S: Simd>(v: Vectors<S>, w: Vectors<S>) -> f64x8<S> {
     v[0] * w[0] + v[1] * w[1] + v[2] * w[2]
 }
 
-/// The method of `DVec3` with this name, eight times. A vector without a direction
-/// gives (1, 0, 0) and 0.
+/// The `DVec3` method of this name, eight times. For a vector without a direction,
+/// it returns (1, 0, 0) and 0.
 #[inline(always)]
 fn normalize_and_length<S: Simd>(simd: S, v: Vectors<S>) -> (Vectors<S>, f64x8<S>) {
     let splat = |x| simd.splat_f64x8(x);
@@ -213,13 +213,14 @@ struct Hits<S: Simd> {
     t: f64x8<S>,
     /// The index of the object there; −1 for a miss.
     index: f64x8<S>,
-    /// The number of candidates that were tested. Those hit are among them.
+    /// The number of candidates that were tested. All that were hit are among them.
     tested: usize,
 }
 
 impl<S: Simd> Packet<S> {
-    /// `nearest`, eight times. Among equal t, the first in the scene wins, as
-    /// there. Returns None if a candidate that isn't found yet may be nearer.
+    /// `nearest`, eight times. As there, the first in the scene wins if several t
+    /// are equal. Returns None if a candidate that hasn't been found yet may be
+    /// nearer.
     #[inline(always)]
     fn nearest(&self, found: &[Candidate], is_complete: bool) -> Option<Hits<S>> {
         let &Self { simd, v, a, .. } = self;
@@ -240,7 +241,8 @@ impl<S: Simd> Packet<S> {
             if d.simd_lt(zero).all_true() {
                 continue;
             }
-            // If D is negative, its root is NaN, for which no comparison holds.
+            // If D is negative, its root is NaN, and every comparison with NaN is
+            // false.
             let root = d.sqrt();
             let mut t = (-b - root) / (2.0 * a);
             if t.simd_le(zero).any_true() {
@@ -305,8 +307,8 @@ impl<S: Simd> Packet<S> {
         [0.7 + 0.3 * x, 0.7 + 0.3 * y, 0.7 + 0.3 * -z]
     }
 
-    /// `colour`, eight times. It lights all eight for each object that one of them
-    /// sees, and keeps those that do.
+    /// `colour`, eight times. For each object that any of the rays sees, it lights
+    /// all eight points, and keeps those of the rays that see the object.
     #[inline(always)]
     fn colour(
         &self,
@@ -345,15 +347,15 @@ fn write_rgb8<S: Simd>(colours: Vectors<S>, pixels: &mut [u8]) {
     if let Some(pixels) = pixels.first_chunk_mut() {
         *pixels = bytes;
     } else {
-        // This is only for the right edge: copying a length that isn't known in
-        // advance is slower.
+        // This is only for the right edge, because copying a length that isn't
+        // known in advance is slower.
         pixels.iter_mut().zip(bytes).for_each(|(pixel, byte)| *pixel = byte);
     }
 }
 
 // 3. The picture, in bands of rows, in tiles, in blocks.
 
-/// The side of a block, in pixels. It's drawn with one list of candidates.
+/// The side of a block, in pixels. A block is drawn with one list of candidates.
 const BLOCK: usize = 16;
 
 /// The side of a tile, and the height of a band; a multiple of the block's.
@@ -367,7 +369,8 @@ struct Rectangle {
 }
 
 impl Rectangle {
-    /// Cuts it into squares, which are smaller at the right and at the bottom.
+    /// Cuts the rectangle into squares, which are smaller at its right and lower
+    /// edges.
     fn squares(self, side: usize) -> impl Iterator<Item = Self> {
         let Self { columns, rows } = self;
         rows.clone().step_by(side).flat_map(move |j| {
@@ -384,7 +387,7 @@ impl Rectangle {
 struct View<'a> {
     camera: &'a Camera,
     scene: &'a Scene<Material, Light>,
-    /// The points of a pixel that its rays go through.
+    /// The points in a pixel through which its rays go.
     sub_pixel_offsets: Vec<(f64, f64)>,
     /// The spheres that the picture may show, from front to back.
     candidates: Vec<Candidate>,
@@ -408,8 +411,8 @@ impl<'a> View<'a> {
             (0..=blocks).map(|k| f64::from(k) * BLOCK as f64 - 0.5)
         };
         // The plane along column i has the directions xi + z and y. If the picture
-        // is mirrored, the determinant is negative, and the normal has to be turned
-        // round.
+        // is mirrored, the determinant is negative, and the normal has to be
+        // flipped.
         let determinant = camera.matrix.determinant();
         let sign = determinant.signum();
         let left = |i: f64| sign * y.cross(x * i + z).normalize();
@@ -425,8 +428,9 @@ impl<'a> View<'a> {
         // V and the normals are rounded, too. The terms of V are at most as long as
         // `longest`, and V itself is at least as long as `shortest`, the distance
         // of the plane of all V from the camera, so an error of 1e-14 `longest` is
-        // an angle of 1e-14 `longest` / `shortest`. Again, there's room for more.
-        // In a picture without depth, that's infinite, and no sphere is left out.
+        // an angle of 1e-14 `longest` / `shortest`. Again, the margin is larger
+        // than that. In a picture without depth, the slack is infinite, and no
+        // sphere is left out.
         let (right, down) = (x.length(), y.length());
         let longest = f64::from(camera.h_res) * right
             + f64::from(camera.v_res) * down
@@ -450,8 +454,8 @@ impl<'a> View<'a> {
         Rectangle { columns: 0..width as usize, rows: 0..height as usize }
     }
 
-    /// The pyramid that a rectangle sees, whose left and upper edges have to be
-    /// edges of blocks.
+    /// The pyramid that a rectangle sees. The rectangle's left and upper edges have
+    /// to be edges of blocks.
     fn pyramid(&self, Rectangle { columns, rows }: &Rectangle) -> Pyramid {
         Pyramid([
             self.left_edges[columns.start / BLOCK],
@@ -464,9 +468,9 @@ impl<'a> View<'a> {
     /// Draws a band, which consists of whole rows and begins with row `top`, into
     /// its bytes.
     ///
-    /// The lists of a band, of a tile in it and of a block in that are sieves, one
-    /// below the other. Each takes from the one above no more than it needs, so the
-    /// spheres far behind a block's hits are never looked at.
+    /// The lists of a band, of a tile in it and of a block in the tile are sieves,
+    /// one below the other. Each takes no more from the one above than it needs, so
+    /// the spheres far behind a block's hits are never looked at.
     #[inline(always)]
     fn draw_band<S: Simd>(&self, simd: S, top: usize, bytes: &mut [u8]) {
         let mut band = self.rectangle();
@@ -502,10 +506,10 @@ impl<'a> View<'a> {
         }
     }
 
-    /// Draws a rectangle of a band, eight pixels at once. Returns None once all of
-    /// it is drawn. If the list isn't complete and not enough for a row, returns
-    /// that row. It and the rows below it have to be drawn again with a longer
-    /// list.
+    /// Draws a rectangle in a band, eight pixels at once. Returns None once all of
+    /// it is drawn. If a row needs more candidates than an incomplete list has,
+    /// returns that row. It and the rows below it have to be drawn again with a
+    /// longer list.
     #[inline(always)]
     fn draw_rectangle<S: Simd>(
         &self,
@@ -547,7 +551,7 @@ impl<'a> View<'a> {
     }
 }
 
-/// The picture that `render` draws with `colour`, to the byte.
+/// The picture that `render` draws with `colour`, byte for byte.
 pub fn draw(
     level: Level,
     camera: &Camera,
@@ -563,7 +567,7 @@ pub fn draw(
     image
 }
 
-/// The picture of step 5, with the best instructions of this processor.
+/// The picture of step 5, drawn with the best instructions of this processor.
 pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
     draw(Level::new(), camera, samples, &scene())
 }

@@ -1,5 +1,5 @@
-//! The scene of step 5 with glass, which bends rays by Snell's law and mirrors a
-//! part of them, as much as Fresnel's equations say.
+//! The scene of step 5 with glass, which bends light by Snell's law and mirrors
+//! some of it, as much as Fresnel's equations say.
 
 #[path = "mirror.rs"]
 #[allow(dead_code, reason = "it is a program of its own, too")]
@@ -16,7 +16,7 @@ use step05_phong::{
 
 /// A material that may be glass.
 pub struct Glass {
-    /// Its material, of which glass shows only the highlights.
+    /// Its material. If it is glass, only the material's highlights are seen.
     pub material: Material,
     /// The refractive index, or None if it isn't glass.
     pub index: Option<f64>,
@@ -34,21 +34,22 @@ pub fn glasses(index: f64) -> Scene<Glass, Light> {
     Scene { objects: objects.collect(), ambient_light, lights }
 }
 
-/// `v`, of any length, bent by Snell's law where it meets a surface whose unit
-/// normal `n` faces it, or None if all of it is mirrored.
+/// Bends `v`, of any length, by Snell's law where it meets a surface whose unit
+/// normal `n` faces it. Returns None if all light is mirrored.
 ///
-/// `ratio` is η, the refractive index that the ray leaves over the one it enters.
+/// `ratio` is η, the refractive index on the side that the ray leaves divided by
+/// that on the side that it enters.
 pub fn refract(v: DVec3, n: DVec3, ratio: f64) -> Option<DVec3> {
     let s = ratio * (v - v.dot(n) * n);
     let rest = v.dot(v) - s.dot(s);
     (rest >= 0.0).then(|| s - rest.sqrt() * n)
 }
 
-/// The part of unpolarised light that the surface mirrors if `refract` bends `v` to
-/// `bent`: from 0 to 1, by Fresnel's equations.
+/// The fraction of unpolarised light that the surface mirrors if `refract` bends
+/// `v` to `bent`: from 0 to 1, by Fresnel's equations.
 pub fn fresnel(v: DVec3, bent: DVec3, n: DVec3, ratio: f64) -> f64 {
     let (c_1, c_2) = (-v.dot(n), -bent.dot(n));
-    // For light that swings across the plane of v and n, and within it.
+    // For light that oscillates across the plane of v and n, and within it.
     let across = (ratio * c_1 - c_2) / (ratio * c_1 + c_2);
     let within = (c_1 - ratio * c_2) / (c_1 + ratio * c_2);
     (across * across + within * within) / 2.0
@@ -65,7 +66,7 @@ pub fn hidden_by_opaque(
     opaque.any(|object| hidden(slice::from_ref(object), point, q, OFFSET))
 }
 
-/// The colour that `ray` sees after meeting at most `depth` surfaces of glass.
+/// The colour that `ray` sees after meeting at most `depth` glass surfaces.
 pub fn colour(scene: &Scene<Glass, Light>, ray: &Ray, depth: u32) -> DVec3 {
     let Some(point) = visible_point(&scene.objects, ray) else {
         return direction_colour(ray);
@@ -83,8 +84,8 @@ pub fn colour(scene: &Scene<Glass, Light>, ray: &Ray, depth: u32) -> DVec3 {
     terms.specular + through_glass(ray, &point, index, next)
 }
 
-/// The colour that `ray` sees in the surface of glass at `point`. `next` gives the
-/// colour that a ray from there sees.
+/// The colour that `ray` sees where it meets a glass surface, at `point`. `next`
+/// returns the colour that a ray from there sees.
 pub fn through_glass<M>(
     ray: &Ray,
     point: &SurfacePoint<M>,
@@ -101,7 +102,7 @@ pub fn through_glass<M>(
     part * mirrored + (1.0 - part) * refracted
 }
 
-/// The picture: a ray may meet ten surfaces of glass, one after the other.
+/// The picture: a ray may meet ten glass surfaces, one after the other.
 pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
     let scene = glasses(1.5);
     render(camera, samples, |ray| colour(&scene, ray, 10))

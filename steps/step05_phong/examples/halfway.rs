@@ -1,5 +1,5 @@
-//! The scene of step 5 with Blinn's highlights, from the vector halfway between l
-//! and v.
+//! The scene of step 5 with Blinn's highlights, computed from the vector halfway
+//! between l and v.
 
 use glam::DVec3;
 use image::RgbImage;
@@ -8,17 +8,17 @@ use step05_phong::{
     draw_and_save, render, scene, visible_point,
 };
 
-/// h, the unit vector halfway between the unit vectors `l` and `v`, which are not
-/// opposite: h = (l + v) / |l + v|.
+/// h, the unit vector halfway between the unit vectors `l` and `v`, which must not
+/// be opposite: h = (l + v) / |l + v|.
 pub fn halfway(l: DVec3, v: DVec3) -> DVec3 {
     (l + v).normalize()
 }
 
-/// The specular term with the cosine between n and h:
+/// The specular term, with the cosine of the angle between n and h:
 /// I_s = R_s / (a + bd + cd²) · max(n·h, 0)⁴ⁿ · L_s.
 ///
-/// If light and eye are on nearly the same side, h is half as far from n as v is
-/// from r, so the exponent is four times the shininess.
+/// If light and eye are on nearly the same side, the angle between h and n is half
+/// the angle between v and r, so the exponent is four times the shininess.
 pub fn specular(
     n: DVec3,
     h: DVec3,

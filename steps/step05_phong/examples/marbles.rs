@@ -30,8 +30,8 @@ fn polished(
     object.with_material(Material { matte, specular, shininess })
 }
 
-/// A part of the snowman in its new material, which depends on its name. The carrot
-/// is amber now.
+/// A part of the snowman in its new material, which depends on the part's name. The
+/// carrot is amber now.
 fn repainted(part: Object<DVec3>) -> Object<Material> {
     match part.name {
         "ground" => polished(part, [0.30, 0.31, 0.42], STONE),
@@ -43,7 +43,7 @@ fn repainted(part: Object<DVec3>) -> Object<Material> {
     }
 }
 
-/// A marble on the ground, with its centre at x and z.
+/// A marble on the ground, whose centre has this x and z.
 fn marble(x: f64, z: f64, radius: f64, paint: [f64; 3]) -> Object<Material> {
     let away = DVec3::new(x, 0.0, z + 8.0).length_squared();
     let y = ((40.0 + radius).powi(2) - away).sqrt() - 41.5;
@@ -62,7 +62,7 @@ pub fn my_scene() -> Scene<Material, Light> {
     Scene { objects, ..scene() }
 }
 
-/// The picture: your scene in the whole Phong sum.
+/// The picture: your scene, lit by the whole Phong sum.
 pub fn picture(camera: &Camera, samples: u32) -> RgbImage {
     let scene = my_scene();
     render(camera, samples, |ray| colour(&scene, ray))

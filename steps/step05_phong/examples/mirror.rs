@@ -14,8 +14,8 @@ use step05_phong::{
     visible_point,
 };
 
-/// The terms at `point` in this material, as `phong` computes them, but without the
-/// lamps that are hidden from the point.
+/// The terms at `point` for this material, as `phong` computes them, but without
+/// the lights that are hidden from the point.
 pub fn shadowed_phong<M>(
     point: &SurfacePoint<M>,
     ray: &Ray,
@@ -38,9 +38,9 @@ pub fn shadowed_phong<M>(
 
 /// A material that is partly a mirror.
 pub struct Mirror {
-    /// Its own material, whose paint counts for 1 − k.
+    /// Its own material, whose paint has the weight 1 − k.
     pub material: Material,
-    /// k, how much of its colour is a mirror image, 0 to 1.
+    /// k, how much of its colour is a mirror image, from 0 to 1.
     pub k: f64,
 }
 

@@ -1,4 +1,4 @@
-//! The starting point of the exercises of step 5: step 5's own picture.
+//! The starting point for the exercises of step 5. It draws step 5's own picture.
 
 use glam::DVec3;
 use image::RgbImage;

@@ -1,4 +1,4 @@
-//! The build as a whole: every page is written into a draft, which then replaces the old book.
+//! The whole build: every page is written into a draft, which then replaces the old book.
 
 use crate::fault::Faults;
 use crate::inline_stylesheets::inline_stylesheets;
@@ -12,10 +12,10 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// Builds the book of a workspace into `folder`, and returns the files and pages there.
+/// Builds a workspace's book into `folder`, and returns its files and pages.
 ///
-/// A lock makes builds wait for each other. The book is written to a draft beside the folder, which
-/// replaces the folder once it is complete, so after a fault the old book is still there.
+/// Builds wait for each other on a lock. The book is written to a draft beside `folder`, which
+/// replaces the folder only once it is complete. So after a fault, the old book is still there.
 pub fn build(workspace: &Path, folder: &Path) -> Result<Site> {
     let around = folder.parent().context("the book needs a folder of its own")?;
     fs::create_dir_all(around).with_context(|| format!("{} can't be created", around.display()))?;
@@ -23,7 +23,7 @@ pub fn build(workspace: &Path, folder: &Path) -> Result<Site> {
     lock.lock()?;
     restore_folder(folder)?;
     let draft = around.join("book.draft");
-    // An earlier build left it if it was killed or found a fault.
+    // Left behind by an earlier build that was killed or found a fault.
     let _ = fs::remove_dir_all(&draft);
     let site = write_and_check_pages(workspace, &draft)?;
     replace_folder(&draft, folder)
@@ -31,8 +31,8 @@ pub fn build(workspace: &Path, folder: &Path) -> Result<Site> {
     Ok(site)
 }
 
-/// Opens the lock file. Nothing is ever written to it, and if it is a symbolic link, the build
-/// stops rather than follow it.
+/// Opens the lock file without changing its contents. If it is a symbolic link, the build stops
+/// rather than follow it.
 fn open_lock(path: &Path) -> Result<File> {
     let is_other = fs::symlink_metadata(path).is_ok_and(|metadata| !metadata.is_file());
     ensure!(!is_other, "{} is not a file; remove it", path.display());
@@ -40,8 +40,8 @@ fn open_lock(path: &Path) -> Result<File> {
     lock.with_context(|| format!("{} can't be opened", path.display()))
 }
 
-/// The paths beside a folder to which its old contents may be moved. There are several because an
-/// old folder there may be impossible to remove, for instance if a program has it open.
+/// The paths beside a folder to which its old contents may be moved. There are several, because an
+/// old folder may be impossible to remove, for instance while a program has it open.
 fn paths_aside(folder: &Path) -> impl Iterator<Item = PathBuf> {
     (1..=9).map(|number| folder.with_extension(format!("old{number}")))
 }
@@ -71,13 +71,13 @@ fn replace_folder(draft: &Path, folder: &Path) -> io::Result<()> {
         let _ = fs::rename(&aside, folder);
         return Err(error);
     }
-    // If that fails, the next build tries again.
+    // If this fails, the next build tries again.
     let _ = fs::remove_dir_all(aside);
     Ok(())
 }
 
-/// Writes all pages into `folder`. A fault in a chapter stops the build before any page is written.
-/// Broken links are found once all pages are there.
+/// Writes all pages into `folder`, and checks them. A fault in a chapter stops the build before any
+/// page is written. Broken links can only be found once all pages exist.
 fn write_and_check_pages(workspace: &Path, folder: &Path) -> Result<Site> {
     let sources = Arc::new(Sources::read(workspace)?);
     let mut book = MDBook::load(workspace.join("book")).context("the book can't be loaded")?;
@@ -91,13 +91,13 @@ fn write_and_check_pages(workspace: &Path, folder: &Path) -> Result<Site> {
         write_page_file(&folder, &mut files, name, html)?;
     }
     let mut site = Site::new(files);
-    let index = search::index_script(&site)?;
+    let index = search::index_script(&site, search::READER_WORDS)?;
     write_page_file(&folder, &mut site.files, "search-index.js".to_owned(), index)?;
     Faults::ensure_none(links::find_address_faults(&site))?;
     Ok(site)
 }
 
-/// The name and final HTML of each page that mdBook has written.
+/// Finishes the pages that mdBook has written. Returns the name and final HTML of each.
 fn finish_pages(files: &Files) -> Result<Vec<(String, String)>> {
     let pages = files.texts_with_suffix(".html").map(|(name, html)| {
         let mut html = inline_stylesheets(html, files).with_context(|| name.to_owned())?;
@@ -109,7 +109,7 @@ fn finish_pages(files: &Files) -> Result<Vec<(String, String)>> {
     pages.collect()
 }
 
-/// Writes a file into `folder`, and updates it in `files`, the files that were read from there.
+/// Writes a file into `folder`, and updates it in `files`, the copy of that folder in memory.
 fn write_page_file(folder: &Path, files: &mut Files, name: String, text: String) -> Result<()> {
     fs::write(folder.join(&name), &text).with_context(|| name.clone())?;
     files.0.insert(name, text.into_bytes());

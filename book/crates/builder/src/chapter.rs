@@ -1,8 +1,8 @@
-//! The expansion of a chapter: every directive, formula and listing becomes HTML.
+//! Expands a chapter: turns every directive, formula and listing into HTML.
 //!
-//! The result is Markdown again, with that HTML in it. A preprocessor of mdBook returns chapters as
-//! Markdown, and mdBook renders them afterwards: the paragraphs, headings and links, which stay as
-//! their author wrote them.
+//! The result is Markdown again, with that HTML in it. A preprocessor returns chapters as Markdown,
+//! and mdBook renders them afterwards: the paragraphs, headings and links that stay as their author
+//! wrote them.
 
 use crate::directive::{Directive, replace_directives};
 use crate::fault::{ChapterError, ChapterResult, Fault};
@@ -19,11 +19,11 @@ use mdbook_markdown::pulldown_cmark::{
 };
 use std::ops::Range;
 
-/// The most lists, quotations and emphases inside one another. mdBook overflows its stack if there
-/// are thousands.
+/// The maximum depth to which lists, quotations, emphasis and so on may be nested. At a depth of
+/// thousands, mdBook overflows its stack.
 const MAX_NESTING: usize = 20;
 
-/// A chapter as Markdown for mdBook to render, with the faults and problems that were found in it.
+/// A chapter as Markdown for mdBook to render, and the faults and problems found in it.
 #[derive(Debug)]
 pub struct ExpandedChapter {
     markdown: String,
@@ -36,8 +36,8 @@ pub struct ExpandedChapter {
 }
 
 impl ExpandedChapter {
-    /// The Markdown, with `sheet` (the problems of all chapters) inserted if the chapter has a
-    /// `{{#problem-sheet}}`.
+    /// Returns the Markdown. If the chapter has a `{{#problem-sheet}}`, `sheet` (the problems from
+    /// all chapters) is inserted there.
     pub fn markdown_with_sheet(&self, sheet: &str) -> String {
         let mut markdown = self.markdown.clone();
         if let Some(position) = self.sheet_position {
@@ -47,8 +47,8 @@ impl ExpandedChapter {
     }
 }
 
-/// Expands the listings, formulas, figures, numbers, pictures and boxes in the `text` of a chapter.
-/// `source_place_markdown` is Markdown that says where the source of the book is.
+/// Expands the listings, formulas, figures, numbers, pictures and boxes in a chapter's `text`.
+/// `source_place_markdown` is Markdown that says where the book's source is.
 pub fn expand_chapter(
     text: &str,
     sources: &Sources,
@@ -87,7 +87,7 @@ struct Chapter<'a> {
     text: &'a str,
     sources: &'a Sources,
     source_place_markdown: &'a str,
-    /// The result for the text up to the position `expanded_end`.
+    /// The expansion of the text up to the position `expanded_end`.
     expanded: String,
     expanded_end: usize,
     faults: Vec<Fault>,
@@ -95,7 +95,7 @@ struct Chapter<'a> {
     listings: Vec<String>,
     /// How the next picture is loaded.
     loading: Loading,
-    /// The ranges of the text that are a block and the notes beside it.
+    /// The ranges of the text that each cover a block and its notes.
     noted_blocks: Vec<Range<usize>>,
     /// The position where the open box begins.
     open_box: Option<usize>,
@@ -103,7 +103,7 @@ struct Chapter<'a> {
     problems: Vec<Problem>,
     /// The position of the problem sheet in `expanded`.
     sheet_position: Option<usize>,
-    /// The position and name of an interactive picture with a probe, until its panel begins.
+    /// The position and name of an interactive picture with a probe whose panel hasn't begun yet.
     missing_panel: Option<(usize, &'static str)>,
 }
 
@@ -125,13 +125,15 @@ impl<'a> Chapter<'a> {
         self.faults.push(Fault { line, error });
     }
 
-    /// Copies the text unchanged, from where the expansion has got to, up to this position.
+    /// Copies the text unchanged, from the end of what has been expanded so far up to this
+    /// position.
     fn copy_until(&mut self, position: usize) {
         self.expanded += &self.text[self.expanded_end..position];
         self.expanded_end = position;
     }
 
-    /// Pairs a position in the text with the matching one in the expanded text.
+    /// Pairs a position in the text with the matching one in the expanded text. Copies everything
+    /// before it.
     fn copy_and_pair_position(&mut self, in_text: usize) -> Position {
         self.copy_until(in_text);
         Position { in_text, in_expanded: self.expanded.len() }
@@ -147,8 +149,8 @@ impl<'a> Chapter<'a> {
         }
     }
 
-    /// Replaces an inline formula with MathML. A comma or full stop after it is kept on the same
-    /// line.
+    /// Replaces an inline formula with MathML. A punctuation mark right after it is kept on the
+    /// same line.
     fn replace_inline_formula(&mut self, latex: &str, range: &Range<usize>) {
         let formula = formula::formula_html(latex, false, &self.sources.values);
         let mark = self.text[range.end..].chars().next();
@@ -201,7 +203,8 @@ impl<'a> Chapter<'a> {
         }
     }
 
-    /// Opens the frame around a block and its notes, if the block at this position has any.
+    /// Opens the wrapper around a block and its notes, if a block with notes begins at this
+    /// position.
     fn open_noted_block(&mut self, start: usize) {
         if self.noted_blocks.iter().any(|block| block.start == start) {
             self.copy_until(start);
@@ -209,7 +212,8 @@ impl<'a> Chapter<'a> {
         }
     }
 
-    /// A note, and the end of the frame around its block if it is the last one there.
+    /// Returns the HTML of a note. After a block's last note, it also closes the wrapper around
+    /// them.
     fn expand_note(
         &self,
         html: ChapterResult<String>,
@@ -222,7 +226,7 @@ impl<'a> Chapter<'a> {
         html.map(|html| html + closing)
     }
 
-    /// Expands the part of the chapter at `range`, where the first of `events` begins it.
+    /// Expands the part of the chapter that an event begins.
     fn expand_event(
         &mut self,
         event: &Event,
@@ -284,7 +288,8 @@ impl<'a> Chapter<'a> {
         }))
     }
 
-    /// Adds a fault if there is a $ in `source`, a piece of text or HTML that begins at `start`.
+    /// Adds a fault if there is an unescaped $ in `source`, a piece of text or HTML that begins at
+    /// `start`.
     fn report_lone_dollar(&mut self, source: &str, start: usize) {
         let mut positions = source.match_indices('$').map(|(index, _)| start + index);
         if let Some(position) = positions.find(|k| !self.text[..*k].ends_with('\\')) {
@@ -293,7 +298,7 @@ impl<'a> Chapter<'a> {
     }
 
     /// Expands a code block: an include becomes a listing, and commands get a caption. Rust typed
-    /// into the chapter itself is a fault, since nothing would compile it.
+    /// directly into a chapter is a fault, since nothing would compile it.
     fn expand_code_block(&mut self, kind: &CodeBlockKind, source: &str) -> ChapterResult<String> {
         let CodeBlockKind::Fenced(info) = kind else {
             return numbers::fill_in_code(source, &self.sources.values);
@@ -314,7 +319,7 @@ impl<'a> Chapter<'a> {
         Ok(format!("\n{html}\n"))
     }
 
-    /// Expands a paragraph that consists of one directive, or only of pictures.
+    /// Expands a paragraph that consists of a single directive or only of pictures.
     fn expand_directive_or_pictures(
         &mut self,
         events: &Events,
@@ -393,8 +398,8 @@ impl<'a> Chapter<'a> {
         self.open_problem = Some(OpenProblem::new(heading, range.start, text_start));
     }
 
-    /// The HTML that begins the panel of the interactive picture above it, which has to be this
-    /// one.
+    /// The HTML that begins the panel of the picture `name`, which has to be the interactive
+    /// picture above.
     fn pixel_panel_html(&mut self, name: &str) -> ChapterResult<String> {
         match self.missing_panel.take_if(|(_, picture)| *picture == name) {
             Some((_, picture)) => Ok(pixel_panel::opening_html(picture)),
@@ -402,7 +407,7 @@ impl<'a> Chapter<'a> {
         }
     }
 
-    /// Closes the open box and, if the box is the answer of a problem, that problem.
+    /// Closes the open box and, if it is the answer to a problem, that problem.
     fn end_box(&mut self) -> ChapterResult<String> {
         match (self.open_box.take(), self.open_problem.take()) {
             (Some(_), None) => Ok("</details>\n".to_owned()),
@@ -449,8 +454,8 @@ impl<'a> Chapter<'a> {
         self.figures_html(&pictures, live).map(Expansion::Replace)
     }
 
-    /// The figures for some pictures, given as `[markdown, file, caption]`. Several stand side by
-    /// side.
+    /// The HTML of these pictures, each given as `[markdown, file, caption]`. Several pictures are
+    /// placed side by side.
     fn figures_html(
         &mut self,
         pictures: &[[&str; 3]],
@@ -473,7 +478,7 @@ fn find_live_figure(name: &str) -> ChapterResult<&'static Figure> {
     figures::find_figure(name).ok_or_else(|| ChapterError::UnknownLive(name.to_owned()))
 }
 
-/// Whether code is a name such as `Ray::at`, in which a line may break.
+/// Whether code is a name such as `Ray::at`, inside which a line may break.
 fn is_breakable_name(code: &str) -> bool {
     let in_name = |c: char| c.is_ascii_alphanumeric() || "_:".contains(c);
     code.chars().all(in_name) && code.contains(['_', ':'])

@@ -3,10 +3,11 @@
 use crate::Sources;
 use crate::fault::{ChapterError, ChapterResult};
 
-/// The HTML for `{{#check name}}`: a form into which a reader drops a picture to find out whether
-/// it is right. Without a name, the name of the file says which picture it should be.
+/// The HTML for `{{#check name}}`: a form onto which a reader drops a picture to find out whether
+/// it is right. Without a name, the name of the reader's file says which picture it should be.
 ///
-/// The form is hidden until book/theme/check_form.js shows it, since nothing works without scripts.
+/// The form is hidden until book/theme/check_form.js shows it, since it doesn't work without
+/// scripts.
 pub fn html(name: &str, sources: &Sources) -> ChapterResult<String> {
     let mut scene_field = "";
     let (name, words) = match name {

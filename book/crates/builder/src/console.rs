@@ -1,9 +1,9 @@
-//! Commands to be typed, with a caption that says in which folder.
+//! Commands for the reader to type, with a caption that says in which folder.
 
 use crate::fault::{ChapterError, ChapterResult};
 use figures::escape;
 
-/// Commands under a caption that says in which folder to type them, the reader's or ours.
+/// Returns commands under a caption that says in which folder to type them, the reader's or ours.
 pub fn figure_markdown(folder: &str, commands: &str) -> ChapterResult<String> {
     let caption = match folder {
         "yours" | "yours,refused" | "yours,fails" => "in your folder",
@@ -11,7 +11,7 @@ pub fn figure_markdown(folder: &str, commands: &str) -> ChapterResult<String> {
         _ => return Err(ChapterError::ConsoleForm),
     };
     let folder = folder.replace(',', " ");
-    // The prompt gets an element of its own, so that the style can keep it from being copied.
+    // The prompt gets its own element, so that the stylesheet can keep it from being copied.
     let commands = format!("\n{}", escape(commands)).replace("\n$ ", "\n<span>$ </span>");
     Ok(format!(
         "<figure class=\"console\" data-folder=\"{folder}\">\

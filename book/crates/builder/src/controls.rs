@@ -7,12 +7,12 @@ const HINT: &str = "<span class=\"hint\">Click or tap the picture, or move the c
 
 const RESET: &str = "<button type=\"button\" class=\"reset\" disabled>Reset</button>";
 
-/// The controls below a figure, one for each parameter. Number fields for what a handle sets are
-/// folded away. An editable scene has a choice of its objects, and the page shows the controls of
-/// one object at a time.
+/// The HTML of the controls below a figure, one for each parameter. The number fields of parameters
+/// that a handle sets are folded away. In an editable scene, the reader chooses an object, and the
+/// page shows the controls of that object only.
 ///
-/// They are hidden if no script can make the figure interactive. Otherwise they are shown from the
-/// first, and work as soon as the module has come; see book/theme/figure.js.
+/// The controls stay hidden if no script can make the figure interactive. Otherwise they are
+/// visible from the start, and work as soon as the module has loaded; see book/theme/figure.js.
 pub fn html(figure: &Figure) -> String {
     let (mut exact, mut above, mut below) = (vec![], String::new(), String::new());
     for parameter in &figure.parameters {
@@ -42,7 +42,7 @@ pub fn html(figure: &Figure) -> String {
     format!("<div class=\"controls\" hidden inert>{hint}{content}</div>")
 }
 
-/// The folded number fields, with a row for each object that they belong to.
+/// The folded number fields, with one row for each object.
 fn exact_html(exact: &[Control]) -> String {
     if exact.is_empty() {
         return String::new();
@@ -58,28 +58,29 @@ fn exact_html(exact: &[Control]) -> String {
     format!("<details class=\"exact\"><summary>Exact values</summary>{rows}</details>")
 }
 
-/// The control of a parameter, with the words of its label.
+/// The control of one of a figure's parameters.
 struct Control<'a> {
     figure: &'a Figure,
     parameter: &'a Parameter,
 }
 
 impl Control<'_> {
-    /// Whether a handle sets it, or another coordinate of the same object. An editable scene has
-    /// all controls in view.
+    /// Whether the control is a folded number field, because a handle sets the parameter or another
+    /// coordinate of the same object. An editable scene shows all controls unfolded.
     fn is_exact(&self) -> bool {
         let Self { figure, parameter } = self;
         let is_moved = figure.handles.iter().any(|handle| handle.moves(parameter.id));
         is_moved && figure.editable_scene.is_none()
     }
 
-    /// The object that the page shows it for; None if it is there for all.
+    /// The object that has to be chosen for this control to be shown, or None if it is always
+    /// shown.
     fn object(&self) -> Option<&'static str> {
         self.figure.editable_scene.as_ref().and(self.parameter.id.object())
     }
 
-    /// Whether the control is shown before anything has been touched: in an editable scene, the
-    /// controls of the first object that has a handle.
+    /// Whether the control is shown before the reader touches anything. In an editable scene, only
+    /// the controls of the first object that has a handle are shown then.
     fn is_shown_at_first(&self) -> bool {
         let Self { figure, parameter } = self;
         let handle = figure.handles.first().filter(|_| figure.editable_scene.is_some());
@@ -88,7 +89,8 @@ impl Control<'_> {
         (parameter.has_control)(parameter, &figure.default_values()) && is_of_first_object
     }
 
-    /// The control at its default. What a handle sets has a number field without a slider.
+    /// The HTML of the control at its default value. A parameter that a handle sets gets a number
+    /// field without a slider.
     fn html(&self) -> String {
         let Parameter { id, symbol, words, unit, range: [min, max], default, .. } = self.parameter;
         let step = self.parameter.step();

@@ -1,4 +1,4 @@
-//! Directives, `{{#kind words}}`: only this file parses their braces.
+//! Directives, `{{#kind words}}`. Only this file parses their braces.
 
 use crate::fault::ChapterResult;
 use crate::replace_between::replace_between;
@@ -9,7 +9,7 @@ use std::fmt::{self, Display, Formatter};
 pub struct Directive<'a> {
     /// Its kind, such as `figure`.
     pub kind: &'a str,
-    /// The rest of it, such as `ray`. It may hold further directives, as in
+    /// The rest of it, such as `ray`. It may contain further directives, as in
     /// `{{#predict Why {{#value row:D}}?}}`.
     pub words: &'a str,
 }

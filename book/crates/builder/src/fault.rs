@@ -1,4 +1,4 @@
-//! The faults of a chapter, and the error that reports all faults of a build.
+//! The faults in a chapter, and the error that reports all faults in a build.
 
 use crate::replace_between::MissingEnd;
 use anyhow::Chain;
@@ -7,12 +7,12 @@ use std::fmt::{self, Display, Formatter};
 use std::io;
 use thiserror::Error;
 
-/// An error on one line of a chapter, for its author to mend.
+/// An error on one line of a chapter, for the author to fix.
 #[derive(Debug)]
 pub struct Fault {
     /// The line, counted from 1.
     pub line: usize,
-    /// The error there.
+    /// The error on that line.
     pub error: ChapterError,
 }
 
@@ -80,7 +80,7 @@ pub enum ChapterError {
     NumberInCode(String),
     #[error("a formula has at most {0} commands and braces")]
     LongFormula(usize),
-    /// A formula that the parser rejects, or, without a source, one on which it fails altogether.
+    /// A formula that the parser rejects. Without a `source`, the parser itself failed on it.
     #[error("the formula {latex} can't be parsed")]
     Formula { latex: String, source: Option<Box<LatexError>> },
 
@@ -119,10 +119,10 @@ pub enum ChapterError {
     DeepNesting,
 }
 
-/// The result of expanding a part of a chapter.
+/// The result of expanding part of a chapter.
 pub type ChapterResult<T> = Result<T, ChapterError>;
 
-/// All faults of a book, one sentence each. They stop the build.
+/// All faults in a book, one sentence each. They stop the build.
 #[derive(Debug, Error)]
 #[error("{}\nThe book was not built.", .0.join("\n"))]
 pub struct Faults(Vec<String>);

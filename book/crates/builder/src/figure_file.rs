@@ -1,19 +1,19 @@
-//! The drawings as SVG files of their own, for slides.
+//! The drawings as separate SVG files, for slides.
 
 use anyhow::Result;
 use figures::{Content, FIGURES};
 use std::fs;
 use std::path::Path;
 
-/// All drawings at their defaults as SVG files such as `figure-row.svg`. Each contains the style of
-/// the theme, with its light colours.
+/// Returns all drawings, with default parameters, as SVG files such as `figure-row.svg`. Each file
+/// contains the theme's style, in its light colours.
 pub fn svg_files(workspace: &Path) -> Result<Vec<(String, Vec<u8>)>> {
     let read = |file| fs::read_to_string(workspace.join("book/theme/css").join(file));
     let style = standalone_style(&read("drawing.css")?, &read("variables.css")?);
     let files = FIGURES.iter().filter_map(|figure| {
         let Content::Drawing { title, draw, .. } = figure.content else { return None };
         let svg = draw(&figure.default_values()).html(title);
-        // Room at both sides for letters that are wider than ours.
+        // Leave room on both sides for letters that are wider than ours.
         let svg = svg.replacen("\"0 0 480", "\"-24 0 528", 1);
         let svg = svg.replacen("<svg", "<svg xmlns=\"http://www.w3.org/2000/svg\"", 1);
         let svg = svg.replacen("<g>", &format!("<style>{style}</style><g>"), 1);
@@ -22,8 +22,8 @@ pub fn svg_files(workspace: &Path) -> Result<Vec<(String, Vec<u8>)>> {
     Ok(files.collect())
 }
 
-/// The rules that begin with `.drawing `, without that class. Variables are replaced by their
-/// values, since few programs except browsers support them.
+/// Returns the rules that begin with `.drawing `, without that class. Variables are replaced with
+/// their values, since few programs other than browsers support them.
 fn standalone_style(rules: &str, variables: &str) -> String {
     let rules = rules.lines().filter(|rule| rule.starts_with(".drawing "));
     let mut style: String = rules.map(|rule| rule.replace(".drawing ", "")).collect();

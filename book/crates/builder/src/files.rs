@@ -1,4 +1,4 @@
-//! The files of a folder in memory, and paths between them.
+//! A folder's files in memory, and paths between them.
 
 use anyhow::{Context, Result};
 use course::replace_file;
@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 
-/// The folder of the chapters, as seen from the root of the workspace.
+/// The folder of the chapters, relative to the root of the workspace.
 pub const CHAPTERS: &str = "book/src/";
 
 /// Resolves `path` relative to `base`, which is a file, or a folder if it ends in `/`.
@@ -23,7 +23,7 @@ pub fn resolve_path(base: &str, path: &str) -> String {
     parts.join("/")
 }
 
-/// The files of a folder in memory, keyed by their paths in that folder.
+/// A folder's files in memory, keyed by their paths in that folder.
 #[derive(Clone, Debug, Default)]
 pub struct Files(pub BTreeMap<String, Vec<u8>>);
 
@@ -46,8 +46,8 @@ impl Files {
         Ok(Self(files))
     }
 
-    /// Writes the files into a folder and removes all others there. A file that is already right
-    /// isn't touched, since `mdbook serve` would notice and build again.
+    /// Writes the files into `folder`, and removes all other files there. A file that is up to date
+    /// isn't touched, because `mdbook serve` would notice and build again.
     pub fn write(&self, folder: &Path) -> Result<()> {
         fs::create_dir_all(folder)
             .with_context(|| format!("{} can't be created", folder.display()))?;

@@ -4,7 +4,7 @@ use crate::fault::ChapterResult;
 use crate::markdown::inline_html;
 use crate::values::Values;
 
-/// The kinds of boxes, each with the label before the author's words in its heading.
+/// The kinds of boxes, each with the label that precedes the author's words in its heading.
 const KINDS: [(&str, &str); 4] =
     [("predict", "Predict"), ("hints", "Hints"), ("aside", "Aside"), ("answer", "Answer")];
 

@@ -1,4 +1,4 @@
-//! Formulas: LaTeX becomes MathML.
+//! Converts formulas from LaTeX to MathML.
 
 use crate::fault::{ChapterError, ChapterResult};
 use crate::numbers;
@@ -6,13 +6,13 @@ use crate::values::Values;
 use math_core::{LatexToMathML, MathDisplay};
 use std::thread;
 
-/// The most commands and braces in a formula. For each one inside another, the parser uses up to
-/// 60 kB of stack.
+/// The maximum number of commands and braces in a formula. The parser uses up to 60 kB of stack for
+/// each level of nesting.
 const MAX_MARKS: usize = 100;
-/// Stack of the thread that parses a formula.
+/// The stack size of the thread that parses a formula.
 const STACK_BYTES: usize = 16 << 20;
 
-/// The MathML of a LaTeX formula, escaped so that it can be put into a line of Markdown.
+/// Converts a LaTeX formula to MathML, escaped so that it can stand in a line of Markdown.
 pub fn formula_html(latex: &str, is_display: bool, values: &Values) -> ChapterResult<String> {
     let style = if is_display { MathDisplay::Block } else { MathDisplay::Inline };
     let mathml = numbers::fill_in_formula(latex, values, |latex| convert(latex, style))?;
@@ -24,7 +24,7 @@ pub fn formula_html(latex: &str, is_display: bool, values: &Values) -> ChapterRe
     })
 }
 
-/// Converts a formula whose numbers have been filled in.
+/// Converts a formula whose numbers have already been filled in.
 fn convert(latex: &str, style: MathDisplay) -> ChapterResult<String> {
     let latex = latex.trim();
     if latex.matches(['\\', '{']).count() > MAX_MARKS {

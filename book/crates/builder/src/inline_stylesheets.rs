@@ -1,4 +1,4 @@
-//! Stylesheets, copied into the pages that link to them.
+//! Copies stylesheets into the pages that link to them.
 
 use crate::Files;
 use crate::files::resolve_path;
@@ -14,9 +14,9 @@ pub enum StylesheetError {
     UnknownFile(String),
 }
 
-/// Replaces the links to stylesheets in the `html` of a page with their contents, so that the page
-/// can be shown at once. The stylesheets are read from `files`, and the addresses in them, which
-/// are relative to the stylesheet, are made relative to the page.
+/// Replaces the links to stylesheets in a page's `html` with the stylesheets themselves, so that a
+/// browser can show the page at once. The stylesheets are taken from `files`. The addresses in
+/// them, which are relative to the stylesheet, are made relative to the page.
 pub fn inline_stylesheets(html: &str, files: &Files) -> Result<String, StylesheetError> {
     replace_between(html, "<link rel=\"stylesheet\" href=\"", "\">", |path| {
         let css = files.text(path).ok_or_else(|| StylesheetError::UnknownFile(path.to_owned()))?;

@@ -1,39 +1,42 @@
 //! Builds the book from its chapters, the five crates and the locked pictures.
 //!
-//! `Sources` is everything that the chapters show: files of the workspace, and the pictures and
-//! scripts in `generated/`. `ChapterPreprocessor` is the mdBook preprocessor that expands the chapters, both for
-//! `mdbook serve` and for `cargo run`. `build` lets mdBook write the pages, copies the stylesheets
-//! into them and writes the search index. Finally it checks every link.
+//! `Sources` is everything that the chapters show: files in the workspace, and the pictures and
+//! scripts in `generated/`. `ChapterPreprocessor` is the mdBook preprocessor that expands the
+//! chapters, both for `mdbook serve` and for `cargo run`. `build` has mdBook write the pages,
+//! copies the stylesheets into them, and writes the search index. Finally it checks every link.
 //!
-//! A chapter is Markdown with *directives*, `{{#kind words}}`. Most are a paragraph of their own;
-//! `value`, `number` and `our-folder` are part of a sentence:
+//! A chapter is Markdown with *directives*, `{{#kind words}}`. Most directives stand in a paragraph
+//! of their own; `value`, `number` and `our-folder` are part of a sentence:
 //!
-//! - A *listing* is a fence with one `include` of a file, or a part of a file. It marks the places
-//!   that a reader may edit (`course::Place`). In a fence `rust,own_scene`, it is updated on the
-//!   page when that picture changes.
-//! - A *console* is a fence of commands: `console,ours` for our folder, `console,yours` for the
-//!   reader's, and `console,yours,refused` or `console,yours,fails` if a test expects that.
+//! - A *listing* is a code fence with a single `include` of a file or part of a file. It marks the
+//!   places that a reader may edit (`course::Place`). In a fence `rust,own_scene`, the page updates
+//!   the listing when the reader changes that scene.
+//! - A *console* is a code fence with commands: `console,ours` for our folder, `console,yours` for
+//!   the reader's, and `console,yours,refused` or `console,yours,fails` if the command is meant to
+//!   be refused or to fail, which a test verifies.
 //! - A *value* is computed by the steps when the book is built. A *number* is updated on the page
 //!   when its interactive figure changes.
-//! - A *figure* is a drawing of the crate `figures`, and a *picture* is a PNG file, locked or made
-//!   from code. Followed by `live`, a picture is interactive: its *controls* set the parameters.
+//! - A *figure* is a drawing from the crate `figures`, and a *picture* is a PNG file, either a
+//!   locked picture or one generated from the code. Followed by `live`, a picture is interactive:
+//!   its *controls* set its parameters.
 //! - `pixel-panel` … `end` is the box *This pixel* below an interactive picture with a *probe*. Its
-//!   text has a `number` for each step from the ray of the chosen pixel to its three bytes. In a
-//!   table there, `rows` with a picture and columns becomes a row for each sphere or mirror.
+//!   text follows the chosen pixel from its ray to its three bytes, with a `number` for each step
+//!   on the way. In a table there, `rows` with a picture and columns becomes a row for each sphere
+//!   or mirror.
 //! - A *box* (`predict`, `hints`, `aside`, `answer` … `end`) is folded until the reader opens it.
 //! - A `problem` is solved on paper. Its answer is a number, and the box `answer` shows how to get
-//!   there. `problem-sheet` repeats the problems of all chapters.
-//! - `mistakes` is a gallery of the mistakes of a step, each with its picture.
-//! - `check` is the form that says whether a picture is right.
-//! - A `note` is one paragraph about something beside the line of the chapter, such as history, an
-//!   opinion, or a letter that is used twice. Bold words at its beginning are its label. `rust` is a
-//!   note on Rust that a beginner won't know yet, and `by-hand` names the test of the numbers that
-//!   were worked out above it. Notes follow the block that they stand beside, and go into the margin
-//!   if there is room for one.
-//! - `our-folder` says where the source of the book is.
+//!   there. `problem-sheet` repeats the problems from all chapters.
+//! - `mistakes` is a gallery of the mistakes in a step, each with its picture.
+//! - `check` is a form that says whether a reader's picture is right.
+//! - A `note` is an aside of one paragraph, such as some history, an opinion, or a letter with two
+//!   meanings. Bold words at its beginning are its label. `rust` is a note on Rust that a beginner
+//!   won't know yet, and `by-hand` names the test of the numbers that were worked out above it. A
+//!   note comes after the block that it belongs to, and stands beside it in the margin if there is
+//!   room.
+//! - `our-folder` says where the book's source is.
 //!
-//! A *fault* is an error on a line of a chapter, for its author to mend. The build reports all
-//! faults and stops.
+//! A *fault* is an error on a line of a chapter, for the author to fix. The build reports all
+//! faults, and stops.
 
 mod directive;
 mod fault;

@@ -8,13 +8,13 @@ use figures::{find_figure, parse_address};
 use std::collections::BTreeSet;
 use thiserror::Error;
 
-/// A link of a page that leads nowhere, or fetches something from elsewhere.
+/// A link on a page that leads nowhere, or that fetches something from elsewhere.
 #[derive(Debug, Error)]
 #[error("{element}: {error}")]
 pub struct LinkFault {
     /// The page, and the last id before the link.
     element: String,
-    /// The error in its address.
+    /// What is wrong with its address.
     error: LinkError,
 }
 
@@ -54,16 +54,16 @@ pub fn find_address_faults(site: &Site) -> Vec<LinkFault> {
     faults
 }
 
-/// Every address that an element links to or loads, with the name of its attribute. The name is
-/// empty for an address inside a `<style>`.
+/// Every address that an element links to or loads, with the name of the attribute that holds it.
+/// The name is empty for an address inside a `<style>`.
 fn addresses_in<'a>(page: &'a Page, element: &'a Element) -> Vec<(&'a str, &'a str)> {
     let mut addresses: Vec<(&str, &str)> = vec![];
     for (name, value) in &element.attributes {
         match &**name {
-            // This says where the book is, and fetches nothing.
+            // A `<base>` says where the book is, but fetches nothing.
             "href" if element.tag == "base" => {}
             "href" | "src" => addresses.push((name, value)),
-            // These are words for readers, not addresses.
+            // This is text for readers, not an address.
             "alt" | "title" | "aria-label" => {}
             _ if value.contains("//") => addresses.push((name, value)),
             _ => addresses.extend(style_urls(value).map(|address| (&**name, address))),
@@ -107,9 +107,9 @@ fn check_address(
     if is_there { Ok(()) } else { Err(LinkError::UnknownId { id: id.to_owned(), path }) }
 }
 
-/// Whether a script of the page knows what to do with the end of an address: `pixel=470,120`, if a
-/// pixel can be chosen there; `line=gate:true`, if that line can be edited; or the address of a
-/// `scene=…`.
+/// Whether a script on the page understands `id`, the end of an address: `pixel=470,120`, if a
+/// pixel can be chosen there; `line=gate:true`, if that line can be edited there; or `scene=…`, if
+/// the page has the editable scene and the rest is a valid address of a scene.
 fn is_for_script(page: &Page, id: &str) -> bool {
     match id.split_once('=') {
         Some(("pixel", _)) => page.attribute_values("data-panel").next().is_some(),

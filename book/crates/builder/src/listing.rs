@@ -13,16 +13,17 @@ use std::sync::LazyLock;
 
 static PLACES: LazyLock<Vec<Place>> = LazyLock::new(course::all_listed_places);
 
-/// The listing for `{{#include path}}`, or for a part of a file, such as
-/// `{{#include ../../steps/step02_sphere/src/sphere.rs:..impl Sphere}}`. The caption names the file
-/// and says whether a part is its beginning or is added below.
+/// Returns the listing for `{{#include path}}`, or for part of a file, such as
+/// `{{#include ../../steps/step02_sphere/src/sphere.rs:..impl Sphere}}`. The caption names the
+/// file, and says whether a part is the file's beginning or has to be added below the code typed so
+/// far.
 ///
 /// The path is relative to the chapters. Files in `book/reader` and `book/typed` are captioned as
-/// files of the reader's own folder. The first listing of a file on a page gets an id for links,
-/// such as `listing-step01_rays-src-ray.rs`; `ids` collects them.
+/// files in the reader's own folder. The first listing of a file on a page gets an id for links,
+/// such as `listing-step01_rays-src-ray.rs`; `ids` collects these.
 ///
-/// In a fence `rust,own_scene`, `scene` is `own_scene`, and the page shows the program of that scene
-/// instead of the file once the reader changes it. In a fence `rust`, `scene` is empty.
+/// In a fence `rust,own_scene`, `scene` is `own_scene`: once the reader changes that scene, the
+/// page shows the scene's program instead of the file. In a fence `rust`, `scene` is empty.
 pub fn markdown(
     language: &str,
     scene: &str,
@@ -52,15 +53,15 @@ pub fn markdown(
     Ok(listing.markdown(ids))
 }
 
-/// A listing of a page.
+/// A listing on a page.
 struct Listing<'a> {
     path: &'a str,
     language: &'a str,
     code: &'a str,
     extent: Extent,
-    /// The lines, from 0, that the same file of an earlier step doesn't have.
+    /// The lines, counted from 0, that the file of the same name in an earlier step doesn't have.
     new_lines: Vec<usize>,
-    /// The editable scene whose program the page puts in place of the file.
+    /// The editable scene whose program replaces the file on the page.
     scene: Option<&'a str>,
 }
 
@@ -81,7 +82,7 @@ impl Extent {
         }
     }
 
-    /// What the caption says of it.
+    /// What the caption says about this part.
     fn words(self) -> Option<&'static str> {
         match self {
             Self::WholeFile => None,
@@ -92,7 +93,7 @@ impl Extent {
 }
 
 impl Listing<'_> {
-    /// The code in a fence, under its caption. Adds the id, if it is new, to `ids`.
+    /// Returns the code in a fence, under its caption. Adds the listing's id to `ids` if it is new.
     fn markdown(&self, ids: &mut Vec<String>) -> String {
         let Self { path, language, code, .. } = self;
         let short_path = path.strip_prefix("steps/").unwrap_or(path);
@@ -125,7 +126,8 @@ impl Listing<'_> {
         attributes.collect()
     }
 
-    /// The number of lines, and a bar beside each new one, unless more than half of all are new.
+    /// The CSS for the number of lines, and for a bar beside each new line unless more than half of
+    /// the lines are new.
     fn style(&self) -> String {
         let mut style = format!("--lines: {}", self.code.split('\n').count());
         let are_few = 2 * self.new_lines.len() <= self.code.lines().count();
@@ -142,7 +144,7 @@ impl Listing<'_> {
     }
 }
 
-/// The text of the file of the same name in the nearest earlier step that has one.
+/// Reads the file of the same name in the nearest earlier step that has one.
 fn file_of_step_before(path: &str, workspace: &Path) -> Option<String> {
     let (step, file) = path.strip_prefix("steps/")?.split_once('/')?;
     let mut earlier_names = Step::NAMES.into_iter().rev().skip_while(|name| *name != step).skip(1);
@@ -150,16 +152,16 @@ fn file_of_step_before(path: &str, workspace: &Path) -> Option<String> {
         .find_map(|name| fs::read_to_string(workspace.join("steps").join(name).join(file)).ok())
 }
 
-/// The lines of `code`, from 0, that the `old` text doesn't have.
+/// The lines of `code`, counted from 0, that don't occur in `old`.
 fn new_lines(code: &str, old: &str) -> Vec<usize> {
     let is_new = |line: &str| !old.lines().any(|known| known == line);
     let lines = code.lines().enumerate().filter(|(_, line)| is_new(line));
     lines.map(|(k, _)| k).collect()
 }
 
-/// Says where a reader may edit the code: for each place its name, and its start and length in
-/// UTF-16 code units, as JavaScript counts. See book/theme/line_editor.js. Returns None if there is
-/// no place.
+/// Lists the places in the code that a reader may edit, for book/theme/line_editor.js: the name of
+/// each place, and its start and length in UTF-16 code units, as JavaScript counts. Returns None if
+/// there are none.
 fn places_list(path: &str, code: &str) -> Option<String> {
     let code_units = |text: &str| text.encode_utf16().count();
     let file = path.strip_prefix("steps/")?;
@@ -172,8 +174,9 @@ fn places_list(path: &str, code: &str) -> Option<String> {
     (!entries.is_empty()).then(|| entries.join(" "))
 }
 
-/// The lines of a part such as `use..impl Ray`: from the item that begins with the first words up
-/// to, but not including, the item that begins with the last. Either may be empty.
+/// Returns the range of lines for a part such as `use..impl Ray`: from the item that begins with
+/// the words before `..` up to, but not including, the item that begins with the words after it.
+/// Either may be empty.
 fn part_lines(part: &str, lines: &[&str]) -> ChapterResult<Range<usize>> {
     let (begin_words, end_words) =
         part.split_once("..").ok_or_else(|| ChapterError::PartForm(part.to_owned()))?;
@@ -185,8 +188,8 @@ fn part_lines(part: &str, lines: &[&str]) -> ChapterResult<Range<usize>> {
     Ok(start..end)
 }
 
-/// The index of the first line from `start` on that begins with these words. If there are comments
-/// and attributes directly above it, the index of the first of those.
+/// Returns the index of the first line, from `start` on, that begins with these words. If there are
+/// comments or attributes directly above that line, returns the index of the first of those.
 fn find_line_or_attributes(words: &str, lines: &[&str], start: usize) -> ChapterResult<usize> {
     let has_words = |k: &usize| lines[*k].trim_start().starts_with(words);
     let index = (start..lines.len()).find(has_words);

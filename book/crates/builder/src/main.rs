@@ -1,4 +1,4 @@
-//! Builds the book, and opens it with `--open`.
+//! Builds the book and, with `--open`, opens it in a browser.
 
 use anyhow::{Result, anyhow};
 use builder::ChapterPreprocessor;
@@ -15,7 +15,8 @@ fn main() -> ExitCode {
     let result = match words[..] {
         [] => build_and_report(false),
         ["--open"] => build_and_report(true),
-        // The command in book/book.toml. mdBook first asks whether it supports the output format.
+        // The command in book/book.toml. mdBook first runs it to ask whether it supports the output
+        // format.
         ["preprocess", "supports", _] => Ok(()),
         ["preprocess"] => preprocess_stdin(),
         _ => Err(anyhow!("Usage: cargo run -- [--open], where --open opens the book in a browser")),
@@ -32,8 +33,8 @@ fn preprocess_stdin() -> Result<()> {
     Ok(serde_json::to_writer(stdout(), &book)?)
 }
 
-/// Builds the book and prints its progress. Errors of printing are ignored: the book is built even
-/// if nobody reads the output any more.
+/// Builds the book, and prints its progress. Errors while printing are ignored, so that the book is
+/// built even if nobody reads the output any more.
 fn build_and_report(opens_browser: bool) -> Result<()> {
     let start = Instant::now();
     let _ = writeln!(stdout(), "Building the book …");

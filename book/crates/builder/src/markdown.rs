@@ -1,11 +1,11 @@
-//! Markdown as the chapters use it, and single paragraphs of it as HTML.
+//! The Markdown that chapters are written in, and the conversion of single paragraphs to HTML.
 
 use crate::fault::{ChapterError, ChapterResult};
 use crate::values::Values;
 use crate::{formula, numbers};
 use mdbook_markdown::pulldown_cmark::{Event, Options, Parser, Tag, TagEnd, html};
 
-/// The options with which mdBook parses Markdown, and formulas besides.
+/// The options with which mdBook parses Markdown, plus formulas.
 pub fn markdown_options() -> Options {
     Options::ENABLE_TABLES
         | Options::ENABLE_FOOTNOTES
@@ -18,7 +18,8 @@ pub fn markdown_options() -> Options {
         | Options::ENABLE_MATH
 }
 
-/// The HTML of one paragraph of Markdown, including formulas, without the `<p>` around it.
+/// Converts one paragraph of Markdown, which may contain formulas, to HTML without the `<p>` around
+/// it.
 pub fn inline_html(markdown: &str, values: &Values) -> ChapterResult<String> {
     let mut events = vec![];
     for event in Parser::new_ext(markdown, markdown_options()) {
@@ -38,7 +39,8 @@ pub fn inline_html(markdown: &str, values: &Values) -> ChapterResult<String> {
     numbers::fill_in_text(&text.replace('\n', " "), values)
 }
 
-/// A name in code. In a narrow column, it may be broken after `::` and `_` and nowhere else.
+/// The HTML of a name in code. In a narrow column, it may break after `::` and `_`, and nowhere
+/// else.
 pub fn code_with_break_hints(code: &str) -> String {
     let code = code.replace("::", "::<wbr>").replace('_', "&#95;<wbr>");
     format!("<code>{code}</code>")

@@ -1,4 +1,5 @@
-//! The gallery of a step's mistakes, each with its picture, its diff and its reason.
+//! The gallery of a step's mistakes, each with its picture, its diff, and the reason why it is
+//! wrong.
 
 use crate::Sources;
 use crate::fault::{ChapterError, ChapterResult};
@@ -10,8 +11,8 @@ use course::{Mistake, MistakePicture, ShownMistake, Step, mistakes};
 use figures::escape;
 
 /// The Markdown for `{{#mistakes step01_rays}}`: first a contact sheet of the mistakes that show in
-/// that step's picture, then a section for each, with its picture, ours, their difference, the diff
-/// and the reason.
+/// that step's picture, then a section for each mistake, with its picture, our picture, their
+/// difference, the diff, and the reason.
 pub fn markdown(name: &str, sources: &Sources, loading: &mut Loading) -> ChapterResult<String> {
     let step = Step::from_name(name).ok_or_else(|| ChapterError::UnknownStep(name.to_owned()))?;
     let (mut items, mut sections) = (String::new(), String::new());
@@ -36,7 +37,7 @@ pub fn markdown(name: &str, sources: &Sources, loading: &mut Loading) -> Chapter
     Ok(format!("<div class=\"contacts\">\n\n{items}\n</div>\n{sections}"))
 }
 
-/// Why a mistake is wrong, with a link to the section that explains it.
+/// Explains why a mistake is wrong, with a link to the section about it.
 fn reason_markdown(
     mistake: &Mistake,
     ShownMistake { section, reason, .. }: &ShownMistake,
@@ -52,8 +53,8 @@ fn reason_markdown(
     Ok(format!("{reason} [Step {}, “{section}”]({chapter}.md#{id})", step.number()))
 }
 
-/// The picture with a mistake, ours of that step, and their difference, for which the browser
-/// blends the two pictures.
+/// The picture with a mistake, our picture of that step, and their difference, which the browser
+/// computes by blending the two.
 fn panels_html(
     yours: &str,
     step: Step,
@@ -75,7 +76,7 @@ fn panels_html(
     ))
 }
 
-/// The title of a mistake. It begins with a capital letter, unless it begins with a symbol.
+/// The HTML of a mistake's title. It begins with a capital letter, unless it begins with a symbol.
 fn title_html(Mistake { title, .. }: &Mistake, values: &Values) -> ChapterResult<String> {
     let word = title.split(' ').next().unwrap_or_default();
     let is_word = word.len() > 1 && word.chars().all(|c| c.is_ascii_lowercase());
@@ -86,7 +87,7 @@ fn title_html(Mistake { title, .. }: &Mistake, values: &Values) -> ChapterResult
     inline_html(&symbols_as_formulas(&title), values)
 }
 
-/// The diff of a mistake: the right lines, and the wrong ones in their place.
+/// The diff of a mistake: the right lines, then the wrong lines that replace them.
 fn changed_lines_html(mistake: &Mistake) -> String {
     let path = mistake.file.strip_prefix("steps/").unwrap_or(&mistake.file);
     let lines = |tag: &str, sign: &str, text: &str| {

@@ -1,4 +1,4 @@
-//! Notes, which stand in the margin beside the block of the chapter that they follow.
+//! Notes, which stand in the margin beside the block that they follow in the chapter.
 
 use crate::directive::Directive;
 use crate::fault::ChapterResult;
@@ -7,13 +7,13 @@ use crate::values::Values;
 use mdbook_markdown::pulldown_cmark::{Event, Tag};
 use std::ops::Range;
 
-/// Begins a block and the notes that stand beside it.
+/// Opens the wrapper around a block and the notes that stand beside it.
 pub const OPENING_HTML: &str = "<div class=\"with-margin\">\n\n";
-/// Ends the last of the notes.
+/// Closes that wrapper after the last note.
 pub const CLOSING_HTML: &str = "\n</div>\n\n";
 
-/// The HTML of a note: `{{#note words}}`, `{{#rust words}}` or the name of a test, `{{#by-hand
-/// test}}`. None for a directive of another kind.
+/// The HTML of a note, `{{#note words}}` or `{{#rust words}}`, or of the name of a test,
+/// `{{#by-hand test}}`. Returns None for any other directive.
 pub fn html(directive: Directive, values: &Values) -> Option<ChapterResult<String>> {
     let label = match directive.kind {
         "note" => "",
@@ -32,11 +32,11 @@ pub fn html(directive: Directive, values: &Values) -> Option<ChapterResult<Strin
     )
 }
 
-/// The ranges of the chapter that are a block and the notes after it. A heading is no such block,
-/// nor is what begins or ends a box, nor HTML.
+/// Finds the ranges of the chapter that each cover a block and the notes after it. A heading can't
+/// have notes, and neither can HTML or a directive that begins or ends a box.
 pub fn find_noted_blocks(text: &str, events: &[(Event, Range<usize>)]) -> Vec<Range<usize>> {
     let mut noted: Vec<Range<usize>> = vec![];
-    // The last block, with its notes so far, if it can have any.
+    // The range of the last block and its notes so far, or None if that block can't have notes.
     let mut block: Option<Range<usize>> = None;
     let mut nesting = 0;
     for (event, range) in events {
@@ -64,7 +64,8 @@ pub fn find_noted_blocks(text: &str, events: &[(Event, Range<usize>)]) -> Vec<Ra
     noted
 }
 
-/// Whether notes may follow a block, which may be a paragraph with one directive of this `kind`.
+/// Whether notes may follow a block. If the block is a paragraph with a single directive, `kind` is
+/// that directive's kind.
 fn can_have_notes(tag: &Tag, kind: Option<&str>) -> bool {
     match tag {
         Tag::Paragraph => matches!(kind, None | Some("figure" | "check" | "value" | "number")),
@@ -78,7 +79,7 @@ mod tests {
     use super::*;
     use mdbook_markdown::pulldown_cmark::Parser;
 
-    /// The blocks of a chapter that have notes, with their notes.
+    /// The blocks in a chapter that have notes, together with their notes.
     fn noted_blocks(text: &str) -> Vec<&str> {
         let parser = Parser::new_ext(text, markdown::markdown_options());
         let events: Vec<_> = parser.into_offset_iter().collect();

@@ -1,5 +1,5 @@
 //! The numbers in a text: values, which are computed when the book is built, and live numbers,
-//! which the page updates while the reader moves a figure.
+//! which the page updates while the reader changes a figure.
 
 use crate::directive::{Directive, replace_directives};
 use crate::fault::{ChapterError, ChapterResult};
@@ -10,7 +10,7 @@ pub fn fill_in_text(text: &str, values: &Values) -> ChapterResult<String> {
     replace_directives(text, |directive| number_html(directive, values))
 }
 
-/// The number for a directive in a text.
+/// The HTML of the number that a directive in a text stands for.
 pub fn number_html(directive: Directive, values: &Values) -> ChapterResult<String> {
     match directive.kind {
         "value" => values.text(directive.words, Notation::Prose),
@@ -28,9 +28,10 @@ pub fn fill_in_code(code: &str, values: &Values) -> ChapterResult<String> {
     })
 }
 
-/// Fills in `{{#value name}}` and `{{#number row:hRes}}` in a formula, and converts it by
-/// `to_mathml`. LaTeX has no notation for a live number, so each of them is converted as a
-/// placeholder, the text `live0`, `live1` and so on, which the number then replaces.
+/// Fills in `{{#value name}}` and `{{#number row:hRes}}` in a formula, and converts it with
+/// `to_mathml`. LaTeX has no notation for a live number, so each one is first converted as a
+/// placeholder, the text `live0`, `live1` and so on, and the placeholder is then replaced with the
+/// number.
 pub fn fill_in_formula(
     latex: &str,
     values: &Values,
@@ -58,7 +59,7 @@ pub fn fill_in_formula(
     Ok(filled + rest)
 }
 
-/// The HTML of a number that the page updates. Its text is that for the default parameters.
+/// The HTML of a number that the page updates. It contains the number for the default parameters.
 pub fn live_number_html(tag: &str, name: &str, values: &Values) -> ChapterResult<String> {
     let default_text = values.text(name, Notation::Prose)?;
     Ok(format!("<{tag} data-number=\"{name}\">{default_text}</{tag}>"))

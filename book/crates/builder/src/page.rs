@@ -1,4 +1,4 @@
-//! The finished book as its readers get it: its pages, and the elements and text of each.
+//! The finished book as readers get it: its pages, and the elements and text of each.
 
 use crate::Files;
 use anyhow::Result;
@@ -23,12 +23,12 @@ pub struct Site {
 }
 
 impl Site {
-    /// Reads a book that was built into a folder.
+    /// Reads a book that has been built into `folder`.
     pub fn read(folder: &Path) -> Result<Self> {
         Ok(Self::new(Files::read(folder)?))
     }
 
-    /// The book that consists of these files.
+    /// Parses the pages among these files.
     pub fn new(files: Files) -> Self {
         let texts = files.texts_with_suffix(".html");
         let pages = texts.map(|(name, html)| (name.to_owned(), Page::parse(name, html))).collect();
@@ -37,7 +37,7 @@ impl Site {
 
     /// The pages in the order of the table of contents.
     ///
-    /// `index.html` is not among them, since it repeats the first page.
+    /// `index.html` is left out, since it repeats the first page.
     pub fn pages_in_order(&self) -> Vec<&Page> {
         let page = &self.pages["index.html"];
         let contents = page.elements.iter().find(|element| element.attr("id") == Some("contents"));
@@ -52,9 +52,9 @@ impl Site {
 pub struct Page {
     /// Its file name, such as `step01_rays.html`.
     pub name: String,
-    /// Its elements, each before those inside it.
+    /// Its elements, from top to bottom. An element comes before those inside it.
     pub elements: Vec<Element>,
-    /// Its text, including that of scripts and styles.
+    /// Its text, including the contents of scripts and styles.
     text: String,
 }
 
@@ -67,7 +67,7 @@ pub struct Element {
     pub attributes: Vec<(String, String)>,
     /// The indices of the elements inside it.
     descendants: Range<usize>,
-    /// The range of its text in the text of the page, in bytes.
+    /// The byte range of its text within the page's text.
     pub text: Range<usize>,
 }
 
@@ -86,7 +86,7 @@ impl Page {
         let mut text = String::new();
         let mut open: Vec<usize> = vec![];
         for token in tokens(html) {
-            // The text before such a tag and the text after it are separate words.
+            // The text before such a tag and the text after it belong to different words.
             if matches!(&token, Token::TagToken(tag) if matches!(&*tag.name, "br" | "td" | "th")) {
                 text.push(' ');
             }
@@ -120,7 +120,7 @@ impl Page {
         Self { name: name.to_owned(), elements, text }
     }
 
-    /// The values of an attribute, over all elements of the page.
+    /// The values of an attribute on all elements of the page.
     pub fn attribute_values(&self, attribute: &str) -> impl Iterator<Item = &str> {
         self.elements.iter().filter_map(move |element| element.attr(attribute))
     }
@@ -130,12 +130,12 @@ impl Page {
         &self.elements[element.descendants.clone()]
     }
 
-    /// The text of an element, including the elements inside it.
+    /// The text of an element, including that of the elements inside it.
     pub fn text(&self, element: &Element) -> &str {
         &self.text[element.text.clone()]
     }
 
-    /// The text of an element, without the elements inside it for which `is_left_out` is true.
+    /// The text of an element, except for the elements for which `is_left_out` returns true.
     pub fn text_without(
         &self,
         element: &Element,
@@ -151,7 +151,7 @@ impl Page {
         text + &self.text[start..element.text.end]
     }
 
-    /// Where an element is, to be named in a fault: its page, and the last id before it.
+    /// Where an element is, as a fault names it: its page, and the last id before it.
     pub fn address_for_fault(&self, element: &Element) -> String {
         let mut elements = self.elements[..element.descendants.start].iter().rev();
         let id = elements.find_map(|element| element.attr("id"));

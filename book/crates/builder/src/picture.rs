@@ -12,20 +12,20 @@ use std::mem;
 /// When a browser loads a picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Loading {
-    /// At once and before others, as the first picture of a page.
+    /// At once and before other pictures. This is for the first picture on a page.
     AtOnce,
     /// When it comes into view.
     InView,
 }
 
 impl Loading {
-    /// Returns how the next picture of a page is loaded. All later ones wait until they come into
-    /// view.
+    /// Returns how the next picture on a page is loaded. All later ones are loaded when they come
+    /// into view.
     pub fn next(&mut self) -> Self {
         mem::replace(self, Self::InView)
     }
 
-    /// The HTML attribute for this.
+    /// The HTML attribute that makes a browser do so.
     pub fn attribute(self) -> &'static str {
         match self {
             Self::AtOnce => r#"fetchpriority="high""#,
@@ -34,8 +34,8 @@ impl Loading {
     }
 }
 
-/// Makes the page for printing load every picture at once. A picture that waits to come into view
-/// would be missing on paper.
+/// Makes the page for printing load every picture at once. A picture that is only loaded when it
+/// comes into view would be missing on paper.
 pub fn load_all_pictures(html: &str) -> String {
     html.replace(&format!(" {}", Loading::InView.attribute()), "")
 }
@@ -48,14 +48,14 @@ pub fn markdown_html(
     sources: &Sources,
     loading: &mut Loading,
 ) -> ChapterResult<String> {
-    // The caption may contain links, too, so the alt text ends at the first match.
+    // The caption may contain links as well, so the alt text ends at the first match.
     let end = format!("]({source}");
     let alt = markdown.trim_start_matches("![").split(&end);
     let alt: Vec<_> = alt.take(1).flat_map(str::split_whitespace).collect();
     html(&effect_of_picture(source).unwrap_or(alt.join(" ")), source, sources, loading)
 }
 
-/// What the list of mistakes says about a mistake's picture, or None for any other picture.
+/// Returns what the list of mistakes says about a mistake's picture, or None for any other picture.
 fn effect_of_picture(source: &str) -> Option<String> {
     let name = source.strip_prefix("generated/mistake-")?.strip_suffix(".png")?;
     let all = mistakes();
@@ -64,7 +64,7 @@ fn effect_of_picture(source: &str) -> Option<String> {
     Some(mistake.effect.replace('`', ""))
 }
 
-/// The HTML of a picture with this alt text, and with its width and height.
+/// The HTML of a picture with this alt text, including the picture's width and height.
 pub fn html(
     alt: &str,
     source: &str,
@@ -92,7 +92,8 @@ pub fn html(
     ))
 }
 
-/// A figure with an image and a caption in Markdown. If `live` is given, it has its controls, too.
+/// The HTML of a figure with an image and a caption in Markdown. With `live`, it includes the
+/// controls.
 pub fn figure_html(
     image: &str,
     caption: &str,

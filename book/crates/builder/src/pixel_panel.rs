@@ -7,11 +7,11 @@ use crate::values::{Notation, Values};
 use figures::short_name;
 use step03_nearest::OBJECTS;
 
-/// The HTML for `{{#pixel-panel step04_diffuse}}`, which begins the box of this picture. The
-/// chapter goes on with its text, in which a `{{#number …}}` stands for each number that depends on
-/// the pixel, and ends it with `{{#end}}`.
+/// The HTML for `{{#pixel-panel step04_diffuse}}`, which begins that picture's box. The chapter
+/// continues with the text in the box, in which a `{{#number …}}` stands for each number that
+/// depends on the pixel, up to `{{#end}}`.
 ///
-/// The box is hidden until book/theme/figure.js shows it, since nothing works without scripts.
+/// The box is hidden until book/theme/figure.js shows it, since it doesn't work without scripts.
 pub fn opening_html(picture: &str) -> String {
     format!(
         "<details data-panel=\"{picture}\" class=\"aside\" hidden>\
@@ -19,9 +19,9 @@ pub fn opening_html(picture: &str) -> String {
     )
 }
 
-/// The rows of a table for `{{#rows step04_diffuse sphere a b c}}`. The first row has the numbers
-/// a0, b0 and c0 of that picture, the second a1, b1 and c1, and so on, as long as the picture has a
-/// number for the last column. The column `sphere` has the names of the spheres.
+/// Returns the rows of a table for `{{#rows step04_diffuse sphere a b c}}`. The first row has that
+/// picture's numbers a0, b0 and c0, the second a1, b1 and c1, and so on, for as long as the last
+/// column has a number. The column `sphere` has the names of the spheres.
 pub fn rows_markdown(words: &str, values: &Values) -> ChapterResult<String> {
     let mut words = words.split_whitespace();
     let (Some(picture), columns) = (words.next(), words.collect::<Vec<_>>()) else {
@@ -31,7 +31,7 @@ pub fn rows_markdown(words: &str, values: &Values) -> ChapterResult<String> {
     let count = (0..)
         .take_while(|k| values.text(&format!("{picture}:{last}{k}"), Notation::Prose).is_ok())
         .count();
-    // If the last name doesn't exist at all, the first row reports it.
+    // If the last column doesn't exist at all, the first row reports that.
     (0..count.max(1)).map(|k| row_markdown(picture, &columns, k, values)).collect()
 }
 

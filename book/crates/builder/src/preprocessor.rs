@@ -16,8 +16,8 @@ use std::sync::Arc;
 pub struct ChapterPreprocessor(pub Arc<Sources>);
 
 impl ChapterPreprocessor {
-    /// Reads the sources of a workspace and writes the generated files beside the chapters, from
-    /// where mdBook copies them.
+    /// Reads a workspace's sources, and writes the generated files beside the chapters, where
+    /// mdBook finds them and copies them into the book.
     pub fn beside_chapters(workspace: &Path) -> Result<Self> {
         let folder = workspace.join(CHAPTERS).join(GENERATED);
         let sources = Sources::read(workspace)?;
@@ -27,8 +27,8 @@ impl ChapterPreprocessor {
 }
 
 impl Preprocessor for ChapterPreprocessor {
-    /// The name that it has in `book.toml`, so that `cargo run` takes this one in place of
-    /// the command there.
+    /// Its name in `book.toml`. Because of it, `cargo run` uses this preprocessor instead of
+    /// running the command given there.
     fn name(&self) -> &str {
         "course"
     }
@@ -48,7 +48,7 @@ impl Preprocessor for ChapterPreprocessor {
     }
 }
 
-/// Expands all chapters in place, or reports the faults of all of them.
+/// Expands all chapters in place, or reports the faults in all of them.
 fn expand_chapters(book: &mut Book, sources: &Sources, source_place_markdown: &str) -> Result<()> {
     let (mut chapters, mut problems, mut faults) = (BTreeMap::new(), vec![], vec![]);
     for chapter in book.chapters() {

@@ -1,14 +1,14 @@
-//! Problems to solve on paper, and the sheet that repeats those of all chapters.
+//! Problems to solve on paper, and the sheet that repeats the problems from all chapters.
 
 use crate::fault::{ChapterError, ChapterResult};
 use crate::folded_box;
 use crate::values::Values;
 
-/// The most words in the text of a problem.
+/// The maximum number of words in a problem's text.
 pub const MAX_WORDS: usize = 80;
 
-/// The line that begins a problem, such as `{{#problem 7 0.622}}`. After it come the text of the
-/// problem, `{{#answer}}`, the way to the answer, and `{{#end}}`.
+/// The line that begins a problem, such as `{{#problem 7 0.622}}`. It is followed by the problem's
+/// text, `{{#answer}}`, the solution, and `{{#end}}`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Heading {
     /// The number of the problem, such as 7.
@@ -18,7 +18,7 @@ pub struct Heading {
 }
 
 impl Heading {
-    /// Parses the words of the directive.
+    /// Parses the directive's words.
     pub fn parse(words: &str) -> ChapterResult<Self> {
         let (number, answer) = words.split_once(' ').ok_or(ChapterError::ProblemForm)?;
         let heading = Self { number: number.to_owned(), answer: answer.to_owned() };
@@ -26,7 +26,7 @@ impl Heading {
         if is_number { Ok(heading) } else { Err(ChapterError::ProblemForm) }
     }
 
-    /// The answer without commas, as programs read it.
+    /// The answer without commas, so that it can be parsed.
     fn answer_digits(&self) -> String {
         self.answer.replace(',', "")
     }
@@ -44,13 +44,13 @@ impl Heading {
     }
 }
 
-/// A problem of a chapter.
+/// A problem in a chapter.
 #[derive(Clone, Debug)]
 pub struct Problem {
     pub heading: Heading,
     /// Its text, expanded.
     pub text: String,
-    /// The first bold words of its answer, expanded, with their asterisks.
+    /// The first bold words in its answer, expanded, including the asterisks.
     pub result: String,
 }
 
@@ -64,7 +64,7 @@ pub struct Position {
 /// A problem whose `{{#end}}` hasn't been reached yet.
 #[derive(Debug)]
 pub struct OpenProblem {
-    /// The first line, or None if it is an error.
+    /// The heading, or None if the first line is an error.
     heading: Option<Heading>,
     /// The start of the first line.
     pub start: usize,
@@ -72,7 +72,7 @@ pub struct OpenProblem {
     text_start: Position,
     /// The start of the answer.
     answer_start: Option<Position>,
-    /// The start and end of the first bold words of the answer.
+    /// The start and end of the first bold words in the answer.
     bold_start: Option<Position>,
     bold_end: Option<Position>,
 }
@@ -86,22 +86,22 @@ impl OpenProblem {
         self.answer_start = Some(position);
     }
 
-    /// Records where bold words begin, if they are the first of the answer.
+    /// Records where bold words begin, if they are the first in the answer.
     pub fn record_bold_start(&mut self, position: Position) {
         if self.answer_start.is_some() {
             self.bold_start.get_or_insert(position);
         }
     }
 
-    /// Records where bold words end, if they are the first of the answer.
+    /// Records where bold words end, if they are the first in the answer.
     pub fn record_bold_end(&mut self, position: Position) {
         if self.bold_start.is_some() {
             self.bold_end.get_or_insert(position);
         }
     }
 
-    /// Returns the problem, once its `{{#end}}` has been reached. Returns None if it has no answer
-    /// or its first line is an error, which has already been reported.
+    /// Completes the problem when its `{{#end}}` is reached. Returns None if it has no answer or
+    /// its first line is an error, both of which have already been reported.
     pub fn finish(self, text: &str, expanded: &str) -> Option<ChapterResult<Problem>> {
         let (start, end) = (self.text_start, self.answer_start?);
         let heading = self.heading?;
@@ -120,8 +120,8 @@ impl OpenProblem {
     }
 }
 
-/// The Markdown for `{{#problem-sheet}}`: the problems of all chapters, then their answers. Of each
-/// answer, only the first bold words are repeated, without the way to it. Each chapter is given by
+/// The Markdown for `{{#problem-sheet}}`: the problems from all chapters, then their answers. Only
+/// the first bold words of each answer are repeated, without the solution. Each chapter is given as
 /// its title and its problems.
 pub fn sheet_markdown(
     chapters: &[(String, Vec<Problem>)],

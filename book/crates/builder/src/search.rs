@@ -1,23 +1,95 @@
 //! The index that the search of the pages uses.
 
+use crate::fault::Faults;
 use crate::page::Element;
 use crate::{Page, Site};
 use anyhow::Result;
+use std::collections::{BTreeMap, BTreeSet};
+use std::iter;
+
+/// The words of readers, in the format that its first lines explain.
+pub const READER_WORDS: &str = include_str!("../search_words.txt");
 
 /// The script that gives the search the text of the book. For each page, it has the name, the
-/// title, and the id, title, prose and listings of each section.
-pub fn index_script(site: &Site) -> Result<String> {
+/// title, and the id, title, prose, listings and readers' phrases of each section. Then it has the
+/// hints (the section to read, the compiler's messages, and a sentence) and groups of synonyms.
+///
+/// A section that `reader_words` names but the book doesn't have is a fault.
+pub fn index_script(site: &Site, reader_words: &str) -> Result<String> {
+    let ReaderWords { mut phrases, hints, synonyms } = ReaderWords::parse(reader_words);
+    let mut addresses = BTreeSet::new();
     let pages = site.pages_in_order().into_iter().map(|page| {
-        let sections = sections(page);
-        let title = sections.first().map(|[_, title, ..]| title.clone());
+        let sections = sections(page).map(|[id, title, prose, listings]| {
+            let address = format!("{}#{id}", page.name);
+            let mut phrases = phrases.remove(&*address).unwrap_or_default();
+            phrases.extend(effects(page, &id));
+            addresses.insert(address);
+            (id, title, prose, listings, phrases)
+        });
+        let sections: Vec<_> = sections.collect();
+        let title = sections.first().map(|(_, title, ..)| title.clone());
         (&page.name, title.unwrap_or_default(), sections)
     });
     let index = serde_json::to_string(&pages.collect::<Vec<_>>())?;
-    Ok(format!("book.searchIndex = {index};\n"))
+    let is_stale = |address: &&&str| !addresses.contains(**address);
+    let named = phrases.keys().chain(hints.iter().map(|(address, ..)| address));
+    Faults::ensure_none(
+        named
+            .filter(is_stale)
+            .map(|address| format!("search_words.txt: there is no section {address} in the book")),
+    )?;
+    let [hints, synonyms] = [serde_json::to_string(&hints)?, serde_json::to_string(&synonyms)?];
+    Ok(format!(
+        "book.searchIndex = {index};\nbook.searchHints = {hints};\nbook.searchSynonyms = {synonyms};\n"
+    ))
+}
+
+/// What readers type that the book doesn't say.
+#[derive(Debug, Default, PartialEq)]
+struct ReaderWords<'a> {
+    /// By the address of a section, the phrases by which readers look for it.
+    phrases: BTreeMap<&'a str, Vec<&'a str>>,
+    /// The section to read, the compiler's messages, and a sentence that says what to do.
+    hints: Vec<(&'a str, Vec<&'a str>, &'a str)>,
+    /// Words that mean nearly the same.
+    synonyms: Vec<Vec<&'a str>>,
+}
+
+impl<'a> ReaderWords<'a> {
+    fn parse(text: &'a str) -> Self {
+        let mut words = Self::default();
+        let mut address = "";
+        for line in text.lines().filter(|line| !line.is_empty() && !line.starts_with('#')) {
+            if let Some(section) = line.strip_prefix("@ ") {
+                address = section;
+            } else if let Some(group) = line.strip_prefix("= ") {
+                words.synonyms.push(split_at_commas(group).collect());
+            } else if let Some(hint) = line.strip_prefix("! ") {
+                let (messages, sentence) = hint.split_once(" → ").unwrap_or((hint, ""));
+                words.hints.push((address, split_at_commas(messages).collect(), sentence));
+            } else {
+                words.phrases.entry(address).or_default().extend(split_at_commas(line));
+            }
+        }
+        words
+    }
+}
+
+fn split_at_commas(phrases: &str) -> impl Iterator<Item = &str> {
+    phrases.split(',').map(str::trim)
+}
+
+/// What the pictures show that link to a section, which are those of the gallery of mistakes.
+fn effects<'a>(page: &'a Page, id: &str) -> Vec<&'a str> {
+    let leads_here = |link: &&Element| {
+        link.tag == "a" && link.attr("href").and_then(|href| href.strip_prefix('#')) == Some(id)
+    };
+    let links = page.elements.iter().filter(leads_here);
+    links.flat_map(|link| page.descendants(link)).filter_map(|image| image.attr("alt")).collect()
 }
 
 /// The id, the title, the prose and the listings of each section of a page.
-fn sections(page: &Page) -> Vec<[String; 4]> {
+fn sections(page: &Page) -> impl Iterator<Item = [String; 4]> {
     let mut sections: Vec<[String; 4]> = vec![];
     let main = page.elements.iter().find(|element| element.tag == "main");
     let mut end = 0;
@@ -32,13 +104,20 @@ fn sections(page: &Page) -> Vec<[String; 4]> {
             let title = page.text(part).to_owned();
             sections.push([id.to_owned(), title, String::new(), String::new()]);
         } else if let Some([_, _, prose, listings]) = sections.last_mut() {
-            let is_listing = part.attr("data-path").is_some();
-            let text = page.text_without(part, is_hidden) + " ";
-            *(if is_listing { listings } else { prose }) += &text;
+            *prose += &(page.text_without(part, |part| is_hidden(part) || is_listing(part)) + " ");
+            // A listing may be in a folded box. What is hidden there isn't searched, either.
+            let inside = if is_hidden(part) { &[] } else { page.descendants(part) };
+            for listing in iter::once(part).chain(inside).filter(|part| is_listing(part)) {
+                *listings += &(page.text_without(listing, is_hidden) + " ");
+            }
         }
     }
     let join_words = |text: &String| text.split_whitespace().collect::<Vec<_>>().join(" ");
-    sections.iter().map(|texts| texts.each_ref().map(join_words)).collect()
+    sections.into_iter().map(move |texts| texts.each_ref().map(join_words))
+}
+
+fn is_listing(element: &Element) -> bool {
+    element.attr("data-path").is_some()
 }
 
 /// Whether the search skips an element: it is hidden or a drawing, or it is an answer or a hint,
@@ -51,6 +130,18 @@ fn is_hidden(element: &Element) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn readers_words_are_not_empty_and_each_hint_has_its_sentence() {
+        let ReaderWords { phrases, hints, synonyms } = ReaderWords::parse(READER_WORDS);
+        assert!(!phrases.contains_key(""), "words before the first address");
+        for (_, messages, sentence) in &hints {
+            assert!(sentence.ends_with('.'), "{messages:?} has no sentence");
+        }
+        let messages = hints.iter().flat_map(|(_, messages, _)| messages);
+        let mut all = phrases.values().flatten().chain(synonyms.iter().flatten()).chain(messages);
+        assert!(all.all(|phrase| phrase.chars().any(char::is_alphanumeric)));
+    }
 
     #[test]
     fn hidden_elements_answers_and_hints_are_left_out() {

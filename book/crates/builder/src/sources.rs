@@ -11,7 +11,7 @@ use std::fs;
 use std::io::Cursor;
 use std::path::{Path, PathBuf};
 
-/// The folder, beside the chapters, of the files that a build generates for them.
+/// The folder, beside the chapters, for the files that a build generates.
 pub const GENERATED: &str = "generated/";
 
 /// Everything that the chapters show.
@@ -65,13 +65,13 @@ impl Sources {
     }
 }
 
-/// The name of a step's right picture at the size of the pictures of mistakes.
+/// The name of a step's right picture, at the reduced size of the mistakes' pictures.
 pub fn small_picture_name(step: Step) -> String {
     format!("{}-small.png", step.name())
 }
 
 /// Inserts a script that contains these bytes. A page that was opened from a folder can load
-/// scripts but not data, so data has to come as a script.
+/// scripts but no other files, so data has to come as a script.
 fn insert_script(files: &mut BTreeMap<String, Vec<u8>>, name: &str, bytes: &[u8]) {
     let bytes = BASE64_STANDARD.encode(bytes);
     let script = format!("book.modules.provide(\"{name}\", \"{bytes}\");\n");

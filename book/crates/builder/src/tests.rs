@@ -27,7 +27,7 @@ fn a_chapter_is_expanded() {
     insta::assert_snapshot!(expand(text).markdown_with_sheet("The sheet.\n"));
 }
 
-/// The kinds of the directives in a text, such as `value` of `{{#value row:D}}`.
+/// The kinds of the directives in a text, such as `value` for `{{#value row:D}}`.
 fn directive_kinds(text: &str) -> BTreeSet<&str> {
     let directives = text.split("{{#").skip(1);
     directives.filter_map(|directive| directive.split([' ', '}']).next()).collect()
@@ -44,7 +44,7 @@ fn directives_of_the_chapters_are_listed_and_expanded_above() {
         if !list.contains(&format!("*{kind}*")) && !list.contains(&format!("`{kind}`")) {
             faults.insert(format!("The list at the top of lib.rs has no {kind}."));
         }
-        // The caller of `expand_chapter` gives the text of this one.
+        // The text of this one depends on the caller of `expand_chapter`.
         if kind != "our-folder" && !expanded.contains(kind) {
             faults.insert(format!("tests/one_of_each.md has no {{{{#{kind}}}}}."));
         }
@@ -55,12 +55,12 @@ fn directives_of_the_chapters_are_listed_and_expanded_above() {
 #[test]
 fn each_fault_is_told_with_its_line() {
     let faults = list_faults(include_str!("tests/faults.md"));
-    // The message for a file that doesn't exist differs between systems.
+    // The message for a missing file differs between systems.
     let not_found = io::Error::from_raw_os_error(2).to_string();
     insta::assert_snapshot!(faults.replace(&not_found, "[not found]"));
 }
 
-/// Few programs except browsers support variables and `light-dark`.
+/// Few programs other than browsers support variables and `light-dark`.
 #[test]
 fn files_of_figures_have_a_plain_style() {
     let files: Vec<_> = SOURCES.generated.texts_with_suffix(".svg").collect();
@@ -134,10 +134,27 @@ fn what_leads_nowhere_or_fetches_from_elsewhere_is_a_fault() {
     insta::assert_snapshot!(faults.join("\n"));
 }
 
-#[test]
-fn search_has_the_sections_of_a_page_but_no_answer_and_nothing_hidden() {
+fn small_site() -> Site {
     let html = include_str!("tests/sections.html");
     let pages = ["a.html", "index.html"].map(|name| (name.to_owned(), Page::parse(name, html)));
-    let site = Site { files: Files([].into()), pages: pages.into() };
-    insta::assert_snapshot!(search::index_script(&site).expect("a script"));
+    Site { files: Files([].into()), pages: pages.into() }
+}
+
+#[test]
+fn search_has_the_sections_of_a_page_but_no_answer_and_nothing_hidden() {
+    insta::assert_snapshot!(search::index_script(&small_site(), "").expect("a script"));
+}
+
+#[test]
+fn search_has_the_words_of_readers() {
+    let words = include_str!("tests/search_words.txt");
+    insta::assert_snapshot!(search::index_script(&small_site(), words).expect("a script"));
+}
+
+#[test]
+fn words_of_readers_for_a_section_that_is_gone_are_a_fault() {
+    let words =
+        "@ a.html#a\nreal words\n\n@ a.html#gone\nwords\n\n@ b.html#b\n! E0001 → A sentence.\n";
+    let error = search::index_script(&small_site(), words).expect_err("two faults");
+    insta::assert_snapshot!(error);
 }

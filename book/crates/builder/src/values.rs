@@ -1,11 +1,12 @@
 //! The numbers that `{{#value …}}` puts into a chapter, computed when the book is built.
 //!
-//! - `LIVE:NAME` is a number of a figure with its default parameters, such as `row:D`.
-//! - `LIVE:I,J:NAME` is a number from the trace of a pixel, such as `step04_diffuse:470,120:t`.
-//! - `R_d:OBJECT` is the R_d of an object of the scene, such as `R_d:salmon sphere`.
-//! - `NAME` is a count of rays or pixels over a whole picture, or their largest change.
+//! - `LIVE:NAME` is one of a figure's numbers, with default parameters, such as `row:D`.
+//! - `LIVE:I,J:NAME` is a number for a pixel of a picture, such as `step04_diffuse:470,120:t`.
+//! - `R_d:OBJECT` is the R_d of an object in the scene, such as `R_d:salmon sphere`.
+//! - `NAME` is a count of rays or pixels in a whole picture, or the largest change among its
+//!   pixels.
 //!
-//! All numbers of a figure are computed together and kept, since chapters use several of them.
+//! All numbers of a figure are computed together and cached, since chapters use several of them.
 
 use crate::fault::{ChapterError, ChapterResult};
 use course::{camera, largest_channel_difference, primary_rays, ungated_colour};
@@ -29,8 +30,7 @@ pub enum Notation {
 /// The values that the chapters use.
 #[derive(Debug, Default)]
 pub struct Values {
-    /// The readouts of each figure and pixel so far, since all readouts of a figure are computed
-    /// together.
+    /// The readouts computed so far, for each figure and pixel.
     readouts: Mutex<BTreeMap<FigureAndPixel, Readouts>>,
 }
 
@@ -52,8 +52,8 @@ impl Values {
         })
     }
 
-    /// A readout such as `D` of a figure at its defaults, or such as `470,120:t` of a picture with
-    /// a probe.
+    /// Returns a figure's readout for the default parameters, such as `D`. For a picture with a
+    /// probe, the readout may name a pixel first, such as `470,120:t`.
     fn readout(&self, figure_name: &str, readout: &str) -> Option<String> {
         let figure = figures::find_figure(figure_name)?;
         let (pixel, readout) = match readout.split_once(':').filter(|_| figure.probe().is_some()) {
@@ -70,7 +70,8 @@ impl Values {
     }
 }
 
-/// All readouts of a figure, for this pixel of a picture; None if there is no such pixel.
+/// Computes all readouts of a figure, for this pixel if one is given. Returns None if there is no
+/// such pixel.
 fn compute_readouts(figure: &Figure, pixel: Option<&str>) -> Option<Readouts> {
     let values = match pixel {
         Some(pixel) => {
@@ -82,7 +83,7 @@ fn compute_readouts(figure: &Figure, pixel: Option<&str>) -> Option<Readouts> {
     Some((figure.readouts)(&values))
 }
 
-/// The count with this name.
+/// Returns the count with this name.
 fn measured_count(name: &str) -> Option<usize> {
     Some(match name {
         "step02-touches" => count_rays(|ray| discriminant(&SPHERE, ray) == 0.0),
@@ -96,7 +97,7 @@ fn measured_count(name: &str) -> Option<usize> {
             let nearest = nearest(&OBJECTS, ray).map(|hit| hit.object);
             hit_indices(ray).last().map(|k| &OBJECTS[k]) != nearest
         }),
-        // The sphere behind the eye, whose roots are negative.
+        // Object 4 is the sphere behind the eye. Its roots are negative.
         "step03-behind" => count_rays(|ray| discriminant(&OBJECTS[4].sphere, ray) >= 0.0),
         "step05-gate-pixels" => changes_without_gate().len(),
         "step05-gate-most" => changes_without_gate().into_iter().max().unwrap_or(0),
@@ -121,7 +122,7 @@ fn hit_indices(ray: &Ray) -> impl Iterator<Item = usize> {
     (0..OBJECTS.len()).filter(has_hit)
 }
 
-/// By how much the pixels change without the test of n·l, for those that do.
+/// Returns how much each pixel changes without the test of n·l, for the pixels that do change.
 fn changes_without_gate() -> Vec<usize> {
     let scene = scene();
     let ungated = render(&camera(), 1, |ray| ungated_colour(&scene, ray));

@@ -11,7 +11,7 @@ pub enum Verdict {
     Right,
     /// What a right program draws with a different size, field of view or number of samples.
     OtherOptions,
-    /// A different picture.
+    /// Any other picture.
     NotRight,
 }
 
@@ -25,7 +25,7 @@ impl Verdict {
         }
     }
 
-    /// The sentence with which an answer starts.
+    /// The first sentence of an answer.
     fn sentence(self) -> &'static str {
         match self {
             Self::Right => "Right.",
@@ -34,7 +34,7 @@ impl Verdict {
         }
     }
 
-    /// The exit code of the program: 0 if the picture is right, else 1.
+    /// The program's exit code: 0 if the picture is right, otherwise 1.
     pub fn exit_code(self) -> u8 {
         match self {
             Self::Right => 0,
@@ -43,20 +43,19 @@ impl Verdict {
     }
 }
 
-/// Something that gives the reader's picture in every pixel.
+/// A change that reproduces the reader's picture exactly, pixel for pixel.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Cause {
-    /// A mistake of the list.
+    /// A mistake from the list.
     Mistake(&'static Mistake),
-    /// A number of the scene that was typed differently, such as `the radius of the sphere = 2
-    /// instead of 1`.
+    /// A mistyped number in the scene, such as `the radius of the sphere = 2 instead of 1`.
     SceneNumber(String),
-    /// A different camera, or what looks like one.
+    /// A different camera, or a change with the same effect.
     Camera(String),
 }
 
 impl Cause {
-    /// The step whose program has the cause, if that is known.
+    /// The step whose code contains the cause, if it is known.
     fn step(&self) -> Option<Step> {
         match self {
             Self::Mistake(mistake) => Some(mistake.step),
@@ -65,7 +64,7 @@ impl Cause {
         }
     }
 
-    /// The file that has the cause, as a path from the root of the workspace, if that is known.
+    /// The file that contains the cause, if it is known, as a path relative to the workspace root.
     pub(crate) fn file(&self) -> Option<&str> {
         match self {
             Self::Mistake(mistake) => Some(&mistake.file),
@@ -92,7 +91,7 @@ impl Cause {
     }
 }
 
-/// The words, and the file in parentheses if it is known.
+/// Writes the words, followed by the file in parentheses if it is known.
 impl Display for Cause {
     fn fmt(&self, f: &mut Formatter) -> fmt::Result {
         write!(f, "{}", self.words())?;
@@ -103,35 +102,35 @@ impl Display for Cause {
 /// A reader's picture and ours, of the same size.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ComparedPictures {
-    /// The picture of the reader.
+    /// The reader's picture.
     pub yours: RgbImage,
     /// The right picture.
     pub ours: RgbImage,
 }
 
-/// What else may have drawn a picture that other options give.
+/// Reasons to doubt that a right program drew a picture with other options.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct OptionDoubts {
-    /// The listed mistakes that give the same picture with the default options.
+    /// The listed mistakes that produce the same picture with the default options.
     pub mistakes: Vec<&'static Mistake>,
-    /// Whether the whole picture has one colour, as it has with many options and mistakes.
+    /// Whether the whole picture is one colour, which many options and mistakes produce.
     pub is_one_colour: bool,
 }
 
-/// The answer of `check` about a picture. Its `Display` is the text that the program prints.
+/// What `check` answers about a picture. Its `Display` is the text that the program prints.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Answer {
     /// The verdict.
     pub verdict: Verdict,
-    /// A sentence for each thing that is unusual about the file, such as a palette.
+    /// One sentence for each unusual property of the file, such as a palette.
     pub file_notes: Vec<String>,
-    /// The sentence that helps most.
+    /// The most helpful sentence.
     pub headline: String,
-    /// Further lines, about six.
+    /// The lines after the headline, about six.
     pub details: Vec<String>,
-    /// Everything we know of that gives this picture in every pixel.
+    /// All changes we know of that reproduce this picture exactly.
     pub causes: Vec<Cause>,
-    /// Both pictures, if they differ and have the same size.
+    /// Both pictures, if they have the same size and other options don't explain the difference.
     pub compared: Option<ComparedPictures>,
     pub(crate) option_doubts: OptionDoubts,
 }
@@ -149,11 +148,10 @@ impl Answer {
         }
     }
 
-    /// The lines of the text. The verdict and the sentence that matters most are in the first.
+    /// The lines of the text. The first has the verdict and the most important sentence.
     pub fn lines(&self) -> Vec<String> {
         let (notes, headline) = (&self.file_notes[..], &[self.headline.clone()][..]);
-        // What is unusual about the file often explains a wrong picture, but only qualifies a
-        // right one.
+        // An unusual file often explains a wrong picture, but only qualifies a right one.
         let (first, second) = match self.verdict {
             Verdict::NotRight => (notes, headline),
             Verdict::Right | Verdict::OtherOptions => (headline, notes),
@@ -163,22 +161,22 @@ impl Answer {
         lines
     }
 
-    /// The sentences that a table has room for: the notes on the file, and the headline unless
-    /// the picture is right.
+    /// The sentences that fit in a table: the notes on the file, and the headline unless the
+    /// picture is right.
     pub(crate) fn summary(&self) -> String {
         let headline = (self.verdict != Verdict::Right).then_some(&self.headline);
         let sentences: Vec<_> = self.file_notes.iter().chain(headline).map(|one| &**one).collect();
         sentences.join(" ")
     }
 
-    /// The reader's picture, ours and the difference side by side, if they differ and have the
-    /// same size.
+    /// Draws the reader's picture, ours and the difference side by side. Returns None if
+    /// [`Self::compared`] is None.
     pub fn draw_difference(&self) -> Option<RgbImage> {
         let ComparedPictures { yours, ours } = self.compared.as_ref()?;
         Some(draw_panels(yours, ours))
     }
 
-    /// The answer as JSON. The notes and the causes are left out if there are none.
+    /// Formats the answer as JSON, leaving out notes and causes if there are none.
     pub fn to_json(&self) -> String {
         let quote_all = |texts: &[String]| json::list(texts.iter().map(|text| json::quote(text)));
         let mut fields = vec![("verdict", json::quote(self.verdict.words()))];
@@ -200,7 +198,7 @@ impl Display for Answer {
     }
 }
 
-/// Joins the first items of a list, and says how many more there are.
+/// Joins the first `most` items of a list, followed by how many more there are.
 pub(crate) fn join_first(mut items: Vec<String>, most: usize, separator: &str) -> String {
     let more = items.len().saturating_sub(most);
     items.truncate(most);

@@ -1,4 +1,4 @@
-//! Facts about the bytes of the wrong pixels.
+//! Finds facts about the bytes of the wrong pixels.
 
 use crate::answer::join_first;
 use crate::comparison::{Comparison, Pixel};
@@ -7,16 +7,16 @@ use course::Step;
 use std::collections::BTreeSet;
 use std::iter::zip;
 
-/// A file is named only if at least this many values of a byte have changed.
+/// The number of byte values that must have changed for a sentence to name a file.
 const CURVE_VALUES: usize = 16;
 
-/// The most bytes that a sentence names.
+/// The maximum number of bytes listed in one sentence.
 const MOST_BYTES: usize = 3;
 
-/// This many pixels are tried before all pixels are.
+/// The number of pixels that are tested for a curve before all of them are.
 const FIRST_PIXELS: usize = 500;
 
-/// Sentences about the bytes of each wrong pixel.
+/// Returns sentences that are true of the bytes of every wrong pixel.
 pub(crate) fn byte_sentences(comparison: &Comparison) -> Vec<String> {
     let mut sentences = vec![];
     let mut add_if = |words: &str, holds: &dyn Fn(&Pixel) -> bool| {
@@ -36,22 +36,22 @@ pub(crate) fn byte_sentences(comparison: &Comparison) -> Vec<String> {
     sentences
 }
 
-/// The pixel itself and the pixels around it. On the right and below, they may lie outside the
-/// picture.
+/// Returns the positions of a pixel and of those around it. On the right and at the bottom, they
+/// may lie outside the picture.
 fn neighbours((i, j): (u32, u32)) -> impl Iterator<Item = (u32, u32)> {
     let rows = j.saturating_sub(1)..=j + 1;
     rows.flat_map(move |row| (i.saturating_sub(1)..=i + 1).map(move |column| (column, row)))
 }
 
-/// A sentence about the wrong pixels if they all have the same colour.
+/// Describes the wrong pixels if they all have the same colour.
 pub(crate) fn one_colour_sentence(wrong: &[Pixel]) -> Option<String> {
     let [r, g, b] = wrong.first()?.yours;
     let is_one = wrong.iter().all(|pixel| pixel.yours == [r, g, b]);
     is_one.then(|| format!("Each wrong pixel is ({r}, {g}, {b})."))
 }
 
-/// A sentence about bytes that follow from our bytes alone: each value of a byte is always replaced
-/// by the same value. Returns None if they don't.
+/// Describes how your bytes follow from ours, if each value is always replaced by the same value.
+/// Returns None if that isn't so, or if few values changed and a wrong colour may be the reason.
 pub(crate) fn byte_map_sentence(comparison: &Comparison, scene: &StepScene) -> Option<String> {
     let mut yours_of_ours = [None; 256];
     for Pixel { yours, ours, .. } in comparison.pixels() {
@@ -73,27 +73,27 @@ pub(crate) fn byte_map_sentence(comparison: &Comparison, scene: &StepScene) -> O
     Some(format!("Each byte depends only on ours: {words}.{file}"))
 }
 
-/// Whether only the sky or only the objects differ. Then their colours may be wrong, and not the
-/// conversion to bytes.
+/// Whether only the sky or only the objects differ. Then it may be their colours that are wrong,
+/// and not the conversion to bytes.
 fn is_sky_or_objects_alone(comparison: &Comparison, scene: &StepScene) -> bool {
     let wrong_sky = comparison.wrong.iter().filter(|one| one.hit.is_none()).count();
     scene.step > Step::Rays && [0, comparison.wrong.len()].contains(&wrong_sky)
 }
 
-/// A sentence that names the files to compare if this many values of a byte have changed. In steps
-/// 1 and 2 it is empty, since there wrong colours of the directions look the same.
+/// Names the files to compare if at least `CURVE_VALUES` values of a byte have changed. Returns an
+/// empty text in steps 1 and 2, since wrong colours for the directions look the same there.
 fn curve_file(value_count: usize, scene: &StepScene) -> &'static str {
     let is_known = value_count >= CURVE_VALUES && scene.step > Step::Sphere;
     if is_known { " Compare rgb8.rs and the mean in render.rs of step 1." } else { "" }
 }
 
-/// A sentence about bytes that follow from our intensity alone, and grow or fall with it. Returns
-/// None if they don't.
+/// Describes how your bytes follow from our intensities, if they only rise or only fall with them.
+/// Returns None if they don't, or if only the sky or only the objects differ.
 pub(crate) fn byte_curve_sentence(comparison: &Comparison, scene: &StepScene) -> Option<String> {
     if is_sky_or_objects_alone(comparison, scene) {
         return None;
     }
-    // For most pictures, a few pixels are enough to see that there is no curve.
+    // For most pictures, a few pixels are enough to rule out a curve.
     sorted_curve(comparison.pixels().take(FIRST_PIXELS), scene)?;
     let mut curve = sorted_curve(comparison.pixels(), scene)?;
     curve.retain(|(_, yours, ours)| yours != ours);
@@ -106,8 +106,8 @@ pub(crate) fn byte_curve_sentence(comparison: &Comparison, scene: &StepScene) ->
     Some(format!("Each byte depends only on our intensity: {}.{file}", points.join(", ")))
 }
 
-/// The intensities of these pixels in ascending order, each with your byte and ours. Returns None
-/// if your bytes neither grow nor fall with them.
+/// Returns the intensities of these pixels in ascending order, each with your byte and ours.
+/// Returns None if your bytes neither rise nor fall with the intensities.
 fn sorted_curve<'a>(
     pixels: impl Iterator<Item = &'a Pixel>,
     scene: &StepScene,

@@ -1,9 +1,9 @@
-//! Cameras other than ours that give the reader's picture.
+//! Finds cameras other than ours that reproduce the reader's picture.
 //!
-//! First come cameras with a formula that somebody may have written. If none of them fits, the sky
-//! says which number of D_u, D_v or V_0 may be different: where nothing is hit, red is
-//! 0.7 + 0.3 V_x and green is 0.7 + 0.3 V_y. Since V = D_u i + D_v j + V_0, each byte of the sky
-//! gives an interval for the number.
+//! First come cameras with a wrong formula that somebody may have written. If none of them fits,
+//! the sky shows which number in D_u, D_v or V_0 may be different. Where nothing is hit, red and
+//! green are 0.7 + 0.3 V_x and 0.7 + 0.3 V_y. Since V = D_u i + D_v j + V_0, each byte of the sky
+//! confines the number to an interval.
 
 use crate::comparison::{Budget, Comparison, Pixel};
 use crate::number_format::with_minus;
@@ -12,14 +12,14 @@ use course::{Step, camera};
 use std::ops::RangeInclusive;
 use step01_rays::Camera;
 
-/// One of six numbers of the camera's matrix: x or y of D_u, D_v or V_0.
+/// One of six numbers in the camera's matrix: x or y of D_u, D_v or V_0.
 #[derive(Clone, Copy)]
 struct MatrixNumber {
     column: usize,
     row: usize,
 }
 
-/// Describes the cameras that give the reader's picture in every pixel.
+/// Describes the cameras that reproduce the reader's picture exactly.
 pub(crate) fn find_cameras(
     comparison: &Comparison,
     scene: &StepScene,
@@ -54,14 +54,14 @@ impl MatrixNumber {
         camera().matrix.col(self.column)[self.row]
     }
 
-    /// Our camera with this value instead of ours.
+    /// Returns our camera with this number set to `value`.
     fn camera_with(self, value: f64) -> Camera {
         let mut camera = camera();
         camera.matrix.col_mut(self.column)[self.row] = value;
         camera
     }
 
-    /// Describes a change to this value, such as `x of D_u = 0.002 instead of 0.001807`.
+    /// Describes a change to `value`, such as `x of D_u = 0.002 instead of 0.001807`.
     fn describe(self, value: &str) -> String {
         let axis = ["x", "y"][self.row];
         let vector = ["D_u", "D_v", "V_0"][self.column];
@@ -69,8 +69,8 @@ impl MatrixNumber {
     }
 }
 
-/// Cameras in which somebody may have written a different formula for one number, or for the
-/// height of the view. Each comes with words that give its formula.
+/// Returns cameras in which somebody may have written a different formula for one number, or for
+/// the height of the view. Each comes with a description of the formula.
 fn written_cameras() -> Vec<(Camera, String)> {
     let ours = camera();
     let (tan, h_res, v_res) = (-ours.matrix.z_axis.x, 640.0, 360.0);
@@ -115,16 +115,17 @@ fn written_cameras() -> Vec<(Camera, String)> {
     cameras
 }
 
-/// Values of a number that fit the sky. Those with the fewest digits come first, since the sky
-/// leaves an interval, and only the objects decide. There are none if our value fits, too.
+/// Returns values of a number that fit the sky. The sky only gives an interval, and the objects
+/// decide between the values in it. Those with the fewest digits come first. If our own value fits,
+/// returns none, since the number isn't the cause.
 fn values_from_sky(comparison: &Comparison, scene: &StepScene, number: MatrixNumber) -> Vec<f64> {
     let Some(bounds) = bound_by_sky(comparison, scene, number) else { return vec![] };
     let (ours, matrix) = (number.ours(), camera().matrix);
     if bounds.contains(&ours) {
         return vec![];
     }
-    // A rounded value is a start plus a round multiple of a unit: the number itself, a round
-    // multiple of ours, or ours moved by pixels.
+    // Each candidate is a start plus a round multiple of a unit. These pairs make it a round
+    // number, a round multiple of ours, or ours moved by a round number of pixels.
     let pixel = if number.column == 2 { matrix.col(number.row)[number.row] } else { ours };
     let starts_and_units = [(0.0, 1.0), (0.0, ours), (ours, pixel)];
     let middle = (bounds.start() + bounds.end()) / 2.0;
@@ -138,8 +139,8 @@ fn values_from_sky(comparison: &Comparison, scene: &StepScene, number: MatrixNum
     values.map(|value| (value * 1e12).round() / 1e12).collect()
 }
 
-/// The interval of values that give all bytes of the number's channel wherever both pictures show
-/// the sky. Returns None if no value does.
+/// Returns the interval of values that reproduce the number's channel wherever both pictures show
+/// the sky, or None if no value does.
 fn bound_by_sky(
     comparison: &Comparison,
     scene: &StepScene,
@@ -147,8 +148,8 @@ fn bound_by_sky(
 ) -> Option<RangeInclusive<f64>> {
     let matrix = camera().matrix;
     let (mut least, mut most) = (f64::NEG_INFINITY, f64::INFINITY);
-    // A pixel is taken for the sky if its blue is 255 and the other channel is ours. A highlight
-    // may look like that, too, but hardly in the upper third of the picture.
+    // We take a pixel for sky if its blue is 255 and the channel that doesn't depend on the number
+    // equals ours. A highlight may look the same, but hardly in the upper third of the picture.
     let rows = if scene.step < Step::Diffuse { 0..360 } else { 0..120 };
     let is_sky = |pixel: &&Pixel| {
         let Pixel { yours, ours, hit, .. } = pixel;
@@ -217,7 +218,7 @@ mod tests {
         let mut yours = picture(&D_U.camera_with(0.0017), 1);
         let range = bounds(&yours, D_U).expect("a range");
         assert!(range.contains(&0.0017) && !range.contains(&D_U.ours()), "{range:?}");
-        // The ray of column 0 is V_0, whatever D_u is.
+        // In column 0, V doesn't depend on D_u.
         yours[(0, 5)][0] += 1;
         assert_eq!(bounds(&yours, D_U), None);
     }
@@ -232,16 +233,15 @@ mod tests {
     #[test]
     fn clamped_bytes_and_other_channels_bound_nothing() {
         let ours = picture(&camera(), 1);
-        // Each byte of red is clamped, so any number would do.
+        // Every red byte is clamped, so any number would do.
         let white = RgbImage::from_fn(640, 360, |i, j| [255, ours[(i, j)][1], 255].into());
         assert_eq!(bounds(&white, D_U), Some(f64::NEG_INFINITY..=f64::INFINITY));
-        // Green is wrong, too, so it isn't D_u alone.
+        // Green is wrong, too, so D_u can't be the only cause.
         let green = render(&camera(), 1, |ray| step01_rays::direction_colour(ray) * 0.5);
         assert_eq!(bounds(&green, D_U), Some(f64::NEG_INFINITY..=f64::INFINITY));
     }
 
-    /// What `find_cameras` says about the picture of step 3 by a camera in which one number has
-    /// this value.
+    /// Runs `find_cameras` on the picture of step 3, drawn by our camera with one number changed.
     fn cameras_of_step_3(number: MatrixNumber, value: f64) -> Vec<String> {
         let target = Target::of_locked("step03_nearest", step03_nearest::picture(&camera(), 1));
         let scene = target.scene.as_ref().expect("a step");

@@ -1,12 +1,12 @@
-//! Numbers of the scene that a reader may have typed differently.
+//! Finds numbers in the scene that a reader may have mistyped.
 
 use crate::comparison::{Budget, Comparison};
 use crate::number_format::{format_as_typed, with_minus};
 use crate::step_scene::StepScene;
 use course::{OwnScene, Owner, QUANTITIES, Quantity, Typed};
 
-/// Describes each change of one number of the scene that gives the reader's picture in every
-/// pixel.
+/// Describes each change to a single number in the scene that reproduces the reader's picture
+/// exactly.
 pub(crate) fn find_changed_numbers(
     comparison: &Comparison,
     scene: &StepScene,
@@ -42,7 +42,7 @@ pub(crate) fn find_changed_numbers(
     words
 }
 
-/// The names of all owners of one kind, such as all objects.
+/// Returns the names of all owners of one kind, such as those of all objects.
 pub(crate) fn owner_names(scene: &StepScene, owner: Owner) -> Vec<String> {
     match owner {
         Owner::Object => scene.object_names(),
@@ -51,7 +51,7 @@ pub(crate) fn owner_names(scene: &StepScene, owner: Owner) -> Vec<String> {
     }
 }
 
-/// All numbers that somebody may have typed.
+/// Returns all numbers that somebody may have typed.
 fn typed_numbers(
     Typed { range: [start, end], steps_per_unit, .. }: Typed,
 ) -> impl Iterator<Item = f64> {
@@ -59,7 +59,7 @@ fn typed_numbers(
     numerators.map(move |numerator| f64::from(numerator) / f64::from(steps_per_unit))
 }
 
-/// The numbers that a quantity has for owner k, as they are typed in Rust: `-2.5`, or `(1, -2.5, 0)`.
+/// Formats a quantity of owner `k` as it is typed in Rust: `-2.5`, or `(1, -2.5, 0)`.
 pub(crate) fn format_quantity(quantity: &Quantity, own: &OwnScene, k: usize) -> String {
     let numbers: Vec<_> = quantity.scalars.iter().map(|scalar| scalar.get(own, k)).collect();
     format_as_typed(&numbers)

@@ -10,34 +10,34 @@ use image::RgbImage;
 use std::error;
 use thiserror::Error;
 
-/// Why a file wasn't compared with anything.
+/// Why a file couldn't be compared with a right picture.
 #[derive(Debug, Error)]
 pub enum CheckError {
     /// The file can't be read.
     #[error(transparent)]
     Read(#[from] ReadFileError),
-    /// The file has no picture that can be read.
+    /// The file isn't a PNG file that can be read.
     #[error("{file_name} {error}")]
     Png {
-        /// The name of the file, as a terminal may show it.
+        /// The file name, escaped for a terminal.
         file_name: String,
-        /// What is wrong with it.
+        /// What is wrong with the file.
         error: PngError,
     },
-    /// Neither the file's name nor the picture says which picture it should be.
+    /// Neither the file name nor the picture says which picture it should be.
     #[error("no name says which picture it should be, such as step02_sphere")]
     UnknownName,
-    /// There is no right picture to compare with.
+    /// The right picture couldn't be loaded.
     #[error(transparent)]
     NoRightPicture(Box<dyn error::Error + Send + Sync>),
 }
 
-/// Compares the picture in a PNG file with the locked picture `expected_name`. If that is None,
-/// the name is taken from the name of the file, or else from the picture itself: one that equals
-/// a locked picture, or the picture of a listed mistake.
+/// Compares the picture in a PNG file with the locked picture `expected_name`. If that is None, the
+/// name is taken from the file name or, failing that, from the picture itself, if it equals a
+/// locked picture or the picture of a listed mistake.
 ///
-/// `right_picture` returns the locked picture of a name. Nothing else is read: no file, no
-/// argument, no clock.
+/// `right_picture` loads the locked picture of a name. Apart from that, this function reads
+/// nothing: no file, no argument, no clock.
 pub fn check_png<E: Into<Box<dyn error::Error + Send + Sync>>>(
     png: &[u8],
     file_name: &str,
@@ -56,7 +56,7 @@ pub fn check_png<E: Into<Box<dyn error::Error + Send + Sync>>>(
     Ok(with_file_notes(answer, notes, is_transparent))
 }
 
-/// Compares the picture in a PNG file with the scene that belongs to a name.
+/// Compares the picture in a PNG file with the scene that is generated from a name.
 pub fn check_scene_png(png: &[u8], file_name: &str, name: &str) -> Result<Answer, CheckError> {
     let DecodedPng { rgb, is_transparent, notes } = decode(png, file_name)?;
     let answer = compare(ReaderPicture::new(rgb), Target::of_scene(name));
@@ -68,7 +68,7 @@ fn decode(png: &[u8], file_name: &str) -> Result<DecodedPng, CheckError> {
     read_png(png).map_err(|error| CheckError::Png { file_name, error })
 }
 
-/// The answer about a picture that should be equal to the target.
+/// Compares a picture with the target that it should equal, and explains any difference.
 fn compare(yours: ReaderPicture, target: Target) -> Answer {
     if yours.rgb == target.picture {
         return Answer::new(Verdict::Right, format!("This is {}, in every pixel.", target.title));
@@ -81,7 +81,7 @@ fn compare(yours: ReaderPicture, target: Target) -> Answer {
     Answer { compared, ..answer }
 }
 
-/// Adds what is unusual about the file. A picture that isn't opaque can't be right.
+/// Adds the notes on the file to an answer. A picture with transparent pixels can't be right.
 fn with_file_notes(mut answer: Answer, notes: Vec<String>, is_transparent: bool) -> Answer {
     if is_transparent && answer.verdict != Verdict::NotRight {
         let without_alpha =

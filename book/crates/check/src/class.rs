@@ -1,5 +1,6 @@
-//! What a class has handed in: a folder with one folder for each student, and whatever is in it
-//! and below. Nothing is read from a folder's name. The sheets that a class gets are here, too.
+//! Checks what a class has handed in: a folder with one folder per student, searched with all its
+//! subfolders. Nothing is inferred from the name of a student's folder. Also writes the sheets that
+//! a class gets.
 
 mod feedback;
 mod folder;
@@ -25,8 +26,9 @@ use crate::class::student::{StudentReport, check_student};
 use rayon::prelude::*;
 use std::path::Path;
 
-/// Reports on each picture in the folders of a class. Each item of `names` is the whole name of a
-/// folder. Without a list, folders may have any name.
+/// Reports on every picture in the students' folders. If there is a list of `names`, each is the
+/// full name of a folder, and the report says which folders are missing or not in the list. Only
+/// the `required` pictures count, or all pictures if none are required.
 pub fn report_on_class(
     folder: &Path,
     names: Option<&[String]>,
@@ -48,7 +50,7 @@ pub fn report_on_class(
     Ok(ClassReport { students, not_looked_at: class.not_looked_at })
 }
 
-/// Reports on somebody's own pictures in a folder. Folders inside it aren't looked at.
+/// Reports on a reader's own pictures in a folder, but not in its subfolders.
 pub fn report_on_own_pictures(
     folder: &Path,
     required: &[&'static str],

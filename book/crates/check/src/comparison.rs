@@ -1,4 +1,4 @@
-//! A picture beside ours, pixel by pixel, and the budget for what is tried on them.
+//! Compares a picture with ours pixel by pixel, and limits how much is computed on these pixels.
 
 use crate::step_scene::ObjectHit;
 use crate::target::Target;
@@ -7,31 +7,32 @@ use image::{Rgb, RgbImage};
 use std::cell::Cell;
 use step01_rays::Ray;
 
-/// A reader's picture and ours, which have the same size.
+/// The pixels of a reader's picture and of ours, which has the same size.
 pub(crate) struct Comparison<'a> {
     pub target: &'a Target,
-    /// The pixels that differ, at least one. The first ones are scattered over the picture.
+    /// The pixels that differ, at least one. Their order is scattered, so that the first ones come
+    /// from all over the picture.
     pub wrong: Vec<Pixel>,
     pub right: Vec<Pixel>,
     /// The wrong pixel with the largest difference.
     pub farthest: Pixel,
 }
 
-/// A pixel of the reader's picture and of ours.
+/// One pixel in both pictures.
 #[derive(Clone, Copy)]
 pub(crate) struct Pixel {
     /// The column and the row.
     pub position: (u32, u32),
-    /// The ray of our camera through it.
+    /// The ray that our camera sends through the pixel.
     pub ray: Ray,
-    /// The hit that our picture shows there, or None if it shows the sky.
+    /// The hit that our picture shows there, or None if it shows the sky or has no scene.
     pub hit: Option<ObjectHit>,
     pub yours: [u8; 3],
     pub ours: [u8; 3],
 }
 
 impl Pixel {
-    /// The difference of the channel that differs most.
+    /// The difference in the channel that differs most.
     pub fn largest_difference(&self) -> u8 {
         largest_channel_difference(&Rgb(self.yours), &Rgb(self.ours))
     }
@@ -58,24 +59,24 @@ impl<'a> Comparison<'a> {
         Some(Self { target, wrong, right, farthest })
     }
 
-    /// All pixels. The wrong ones come first, so that a cause that doesn't give them is ruled out
-    /// soon.
+    /// All pixels, wrong ones first, so that a cause that doesn't reproduce them is soon ruled out.
     pub fn pixels(&self) -> impl Iterator<Item = &Pixel> {
         self.wrong.iter().chain(&self.right)
     }
 }
 
-/// The column and row of every pixel, in an order that soon reaches each part of the picture.
+/// Returns the column and row of every pixel, in an order that soon reaches each part of the
+/// picture.
 pub(crate) fn scattered_positions(size: (u32, u32)) -> impl Iterator<Item = (u32, u32)> {
     let (columns, count) = (u64::from(size.0), u64::from(size.0) * u64::from(size.1));
-    // 7919 is a prime, so it visits every position unless it divides the count.
+    // 7919 is prime, so this stride visits every position unless it divides the count.
     let stride = if count.is_multiple_of(7919) { 1 } else { 7919 };
     let index = move |n: u64| n * stride % count;
     (0..count).map(move |n| ((index(n) % columns) as u32, (index(n) / columns) as u32))
 }
 
-/// How many rays may still be computed, or pixels compared. It limits the time, and unlike a clock
-/// it is the same on every machine.
+/// The number of rays that may still be computed, or of pixels that may still be compared. It
+/// limits the running time but, unlike a clock, gives the same result on every machine.
 pub(crate) struct Budget(Cell<u32>);
 
 impl Budget {
@@ -87,15 +88,17 @@ impl Budget {
         self.0.get() == 0
     }
 
-    /// Takes a cost from the budget. Returns false if it isn't enough, which also spends the rest.
+    /// Subtracts a cost from the budget. If the budget is too small, spends what is left and
+    /// returns false.
     pub fn spend(&self, cost: u32) -> bool {
         let rest = self.0.get().checked_sub(cost);
         self.0.set(rest.unwrap_or(0));
         rest.is_some()
     }
 
-    /// Whether `is_so` holds for every item, at this cost each. Returns false if the budget runs
-    /// out. The first counterexample moves to the front, so that the next call fails fast.
+    /// Returns whether `is_so` holds for every item, at `cost` for each. If the budget runs out,
+    /// returns false. The first counterexample moves to the front, so that the next call fails
+    /// fast.
     pub fn holds_for_all<T>(&self, items: &mut [T], cost: u32, is_so: impl Fn(&T) -> bool) -> bool {
         let refuting = items.iter().position(|item| !self.spend(cost) || !is_so(item));
         if let Some(k) = refuting {
@@ -117,7 +120,7 @@ mod tests {
         assert!(budget.spend(3) && !budget.is_spent());
         assert!(budget.spend(2) && budget.is_spent());
         assert!(!budget.spend(1));
-        // A cost that is too high spends the rest.
+        // A cost above the budget spends all of it.
         let budget = Budget::new(5);
         assert!(!budget.spend(6) && budget.is_spent());
     }
@@ -146,7 +149,7 @@ mod tests {
             assert_eq!(different.len(), positions.len());
             assert!(positions.iter().all(|(i, j)| *i < columns && *j < rows));
         }
-        // The first hundred are in all ninths of a picture.
+        // The first hundred positions reach every cell of a 3×3 grid.
         let first = scattered_positions((640, 360)).take(100);
         let ninths: BTreeSet<_> = first.map(|(i, j)| (i / 214, j / 120)).collect();
         assert_eq!(ninths.len(), 9);

@@ -1,4 +1,4 @@
-//! The answer about a picture that is not the one that it should be.
+//! Explains a picture that isn't the one it should be.
 
 use crate::answer::{Cause, OptionDoubts, join_first};
 use crate::camera_fit::find_cameras;
@@ -13,25 +13,26 @@ use crate::wrong_pixel::describe_wrong_pixel;
 use crate::{Answer, Verdict};
 use course::{Mistake, Step};
 
-/// The most causes that an answer names.
+/// The maximum number of causes that an answer names.
 const MOST_CAUSES: usize = 3;
 
-/// The most lines of a diff that an answer shows.
+/// The maximum number of lines in a diff that an answer shows.
 const MOST_DIFF_LINES: usize = 4;
 
-/// The file whose mistakes are other options, such as a different default.
+/// The file that reads the options. A mistake there, such as a wrong default, amounts to other
+/// options.
 const OPTIONS_FILE: &str = "steps/step01_rays/src/program.rs";
 
-/// A line for exercises, whose options can't be found.
+/// A line for exercises. They have no scene to draw with other options.
 const EXERCISE_NOTE: &str =
     "Ours is drawn without options: with some, a right program may draw a different picture.";
 
 const TESTS: &str = "cargo test --no-fail-fast --test by_hand";
 
-/// How many rays may be computed to try changes.
+/// The number of rays that may be computed to try out changes.
 const RAYS: u32 = 4_000_000;
 
-/// Explains how a picture differs from the target, and by what cause if one is known.
+/// Explains how a picture differs from the target and, if a cause is known, why.
 pub(crate) fn explain(yours: &ReaderPicture, target: &Target) -> Answer {
     let title = &target.title;
     let mistakes = target.name.as_ref().map(|name| yours.find_mistakes_in(name));
@@ -53,7 +54,7 @@ pub(crate) fn explain(yours: &ReaderPicture, target: &Target) -> Answer {
         causes.extend(comparison.iter().flat_map(find_changes));
     }
     let is_explained = whole.is_some() || !causes.is_empty();
-    // What helps most comes first: a cause, then how the whole picture differs, then facts.
+    // The most helpful lines come first: causes, then how the whole picture differs, then facts.
     let mut lines = describe_causes(&causes, options.as_ref());
     let says_size =
         comparison.is_none() && (whole.is_none() || uniform_colour(&yours.rgb).is_some());
@@ -75,7 +76,7 @@ pub(crate) fn explain(yours: &ReaderPicture, target: &Target) -> Answer {
     Answer { details: lines, causes, ..Answer::new(Verdict::NotRight, headline) }
 }
 
-/// The answer about a picture that a right program draws with other options.
+/// Builds the answer about a picture that a right program draws with other options.
 fn answer_with_options(
     options: &Options,
     title: &str,
@@ -90,8 +91,9 @@ fn answer_with_options(
     }
 }
 
-/// All numbers of the scene and all cameras that give the whole picture, of those we try. Returns
-/// none if not all could be tried, since the missing ones might give it, too.
+/// Tries out different numbers in the scene and different cameras, and returns those that reproduce
+/// the whole picture. If the budget runs out, returns none, since the untried ones might reproduce
+/// it, too.
 fn find_changes(comparison: &Comparison) -> Vec<Cause> {
     let Some(scene) = &comparison.target.scene else { return vec![] };
     let budget = Budget::new(RAYS);
@@ -101,8 +103,9 @@ fn find_changes(comparison: &Comparison) -> Vec<Cause> {
     if budget.is_spent() { vec![] } else { causes }
 }
 
-/// Lines about causes: a sentence that names the first ones, and the files of all, then the first
-/// in full. Options with which a right program draws the picture explain it just as well.
+/// Describes causes: a sentence names the first ones and the files of all, then come lines about
+/// the first one if it is a listed mistake. `options` are those with which a right program draws
+/// the same picture. The sentence mentions them, since they explain it just as well.
 fn describe_causes(causes: &[Cause], options: Option<&Options>) -> Vec<String> {
     let Some(first) = causes.first() else { return vec![] };
     let is_listed = causes.iter().all(|cause| matches!(cause, Cause::Mistake(_)));
@@ -131,8 +134,8 @@ fn describe_causes(causes: &[Cause], options: Option<&Options>) -> Vec<String> {
     lines
 }
 
-/// Lines about a listed mistake: its diff, if it is short, and, if the book shows the mistake, why
-/// it is wrong and which section to read.
+/// Describes a listed mistake in lines: its diff, if that is short, and, if the book shows the
+/// mistake, why it is wrong and which section to read.
 fn describe_mistake(mistake: &Mistake) -> Vec<String> {
     let diff = mistake.old_and_new_lines();
     let mut lines: Vec<_> = diff.lines().map(|line| format!("  {line}")).collect();
@@ -146,8 +149,9 @@ fn describe_mistake(mistake: &Mistake) -> Vec<String> {
     lines
 }
 
-/// Lines about a picture of the right size: the facts, how many pixels differ, the tests by hand of
-/// the steps that draw it, any of which may be wrong, and one pixel.
+/// Describes how a picture of the right size differs from the target: the facts, the number of
+/// wrong pixels, the `by_hand` tests to run, and one pixel. The tests are those of all steps that
+/// draw the picture, since any of these steps may be wrong.
 fn describe_comparison(comparison: &Comparison, facts: Vec<String>) -> Vec<String> {
     let Comparison { target, wrong, right, farthest } = comparison;
     let count = format!(
@@ -158,12 +162,13 @@ fn describe_comparison(comparison: &Comparison, facts: Vec<String>) -> Vec<Strin
         target.title,
         farthest.largest_difference()
     );
-    // If pixels are off by 1 only, that says more than any fact.
+    // If no pixel is off by more than 1, that says more than any fact.
     let (before, after) =
         if farthest.largest_difference() == 1 { (vec![], facts) } else { (facts, vec![]) };
     let mut lines = [before, vec![count], after].concat();
     if let Some(scene) = &target.scene {
-        // Even if the sky is right, the camera may be off by a little, and rgb8 or Ray::at wrong.
+        // Step 1 is never ruled out: even if the sky is right, the camera may be slightly off, or
+        // rgb8 or Ray::at may be wrong.
         let steps = match scene.step {
             Step::Rays => "step 1".to_owned(),
             Step::Sphere => "steps 1 and 2".to_owned(),

@@ -1,4 +1,4 @@
-//! What is true of the wrong pixels, whatever the cause.
+//! Finds facts: sentences that are true of the wrong pixels, whatever the cause.
 
 use crate::byte_facts::{
     byte_curve_sentence, byte_map_sentence, byte_sentences, one_colour_sentence,
@@ -13,19 +13,19 @@ use step01_rays::rgb8;
 
 const MOST_FACTS: usize = 3;
 
-/// A sentence about each wrong pixel needs this many wrong pixels, with this many different colours
-/// in our picture. Of fewer, too much is true by chance.
+/// A sentence about every wrong pixel needs at least this many wrong pixels, with at least this
+/// many different colours in our picture. With fewer, too many sentences are true by chance.
 const LEAST_PIXELS: usize = 16;
 const LEAST_COLOURS: usize = 4;
 
-/// Sentences that are true of the wrong pixels, the strongest first, and then one about where those
-/// pixels are.
+/// Returns sentences that are true of the wrong pixels, strongest first, followed by one about
+/// where these pixels are.
 pub(crate) fn find_facts(comparison: &Comparison) -> Vec<String> {
     let scene = comparison.target.scene.as_ref();
     let regions = scene.map(|scene| count_regions(comparison, scene));
     let is_varied = is_varied(&comparison.wrong);
     let varied = scene.filter(|_| is_varied);
-    // Light that is too strong makes areas white, and a curve says more about those.
+    // Too much light also makes areas white. If a curve fits, it says more about them than a shape.
     let curve = varied.and_then(|scene| {
         byte_curve_sentence(comparison, scene).or_else(|| byte_map_sentence(comparison, scene))
     });
@@ -50,19 +50,19 @@ pub(crate) fn find_facts(comparison: &Comparison) -> Vec<String> {
     facts
 }
 
-/// Whether there are many wrong pixels, with different colours in our picture.
+/// Whether there are enough wrong pixels, with enough different colours in our picture.
 fn is_varied(wrong: &[Pixel]) -> bool {
     let colours: BTreeSet<_> = wrong.iter().map(|pixel| pixel.ours).collect();
     wrong.len() >= LEAST_PIXELS && colours.len() >= LEAST_COLOURS
 }
 
-/// Whether each pixel has an intensity in our picture that no byte can hold.
+/// Whether each pixel has an intensity in our picture that is too large for a byte.
 fn are_above_1(pixels: &[Pixel], scene: &StepScene) -> bool {
     pixels.iter().all(|one| scene.colour(&one.ray).max_element() > 1.0)
 }
 
-/// A sentence about the light that is missing from each wrong pixel, if our sum without some of its
-/// terms gives your colour there. It names as few terms as possible.
+/// Names the light that is missing from every wrong pixel: the fewest terms that our sum must leave
+/// out to give your colours. Returns None if no choice of terms does.
 fn missing_light_sentence(wrong: &[Pixel], scene: &StepScene) -> Option<String> {
     let names_of = |term| scene.light_names.map(|one| format!("the {term} term of {one}"));
     let ambient = ["the ambient term".to_owned()];
@@ -73,7 +73,7 @@ fn missing_light_sentence(wrong: &[Pixel], scene: &StepScene) -> Option<String> 
         _ => return None,
     };
     let is_left_out = |choice: usize, k: usize| choice >> k & 1 == 1;
-    // Without any term, each pixel would be black.
+    // Leaving out all terms isn't a choice, since every pixel would be black.
     let mut choices: Vec<usize> = (1..(1 << count) - 1).collect();
     choices.sort_by_key(|choice| choice.count_ones());
     let lights = &scene.own.scene.lights;

@@ -1,29 +1,30 @@
-//! `check`: what a picture says about the program that drew it.
+//! `check`: compares a reader's picture with the right one and, if they differ, works out why.
 //!
-//! A picture is compared with a *target* (`target`): the locked picture of its name, or the scene
-//! that belongs to a name. Except for exercises, the target has a scene and the functions of the
-//! step that draws it (`step_scene`). The [`Answer`] has a verdict, a headline, details and causes.
-//! It says only what holds in every pixel that it speaks of. This is how it is found (`check`,
-//! `explain`):
+//! The right one is the *target* (`target`): a locked picture, or the picture of the scene that is
+//! generated from a name. Unless it is an exercise, a target also has a scene and the step whose
+//! functions draw it (`step_scene`). The [`Answer`] consists of a verdict, a headline, details and
+//! causes. It never claims more than is true of every pixel that it mentions. `check` and `explain`
+//! try these explanations in turn:
 //!
-//! 1. The picture is **right**, or it is right **with other options** (`other_options`), for which
-//!    no code is blamed, or it is the picture of a different name.
-//! 2. It is ours as a whole, **turned, cut out or enlarged** (`transformed`).
-//! 3. **Causes**: everything we know of that gives every byte of it. That is a listed mistake
-//!    (`reader_picture`), one different number of the scene (`changed_number`), or a different
-//!    camera (`camera_fit`). Something that we don't know may give it, too.
-//! 4. If none of these explains it, **facts** (`facts`): pixels that were never drawn
-//!    (`undrawn`), sentences that are true of each wrong pixel (`byte_facts`) or of some of them,
-//!    and which objects are right and wrong (`regions`).
+//! 1. The picture is **right**; or a right program draws it **with other options**
+//!    (`other_options`), in which case no code is blamed; or it is the right picture of a different
+//!    name.
+//! 2. It is our whole picture, **turned, cropped or enlarged** (`transformed`).
+//! 3. **Causes**: all changes we know of that reproduce every byte of the picture. Each is a listed
+//!    mistake (`reader_picture`), one different number in the scene (`changed_number`), or a
+//!    different camera (`camera_fit`). A change that we don't know of may reproduce it, too.
+//! 4. Failing all of these, **facts** (`facts`): pixels that were never drawn (`undrawn`),
+//!    sentences that are true of every wrong pixel (`byte_facts`) or of some of them, and which
+//!    objects are right and which are wrong (`regions`).
 //!
-//! At the end come the tests by hand of all steps that draw the picture, and one pixel in full
-//! (`wrong_pixel`).
+//! The answer ends with the `by_hand` tests of all steps that draw the picture, and with one wrong
+//! pixel in full (`wrong_pixel`).
 //!
-//! In the folder of a class, each folder is a student's (`class`), and each name has a sheet with
-//! the numbers of its scene (`class::scene_sheet`).
+//! For a class, each folder inside the given one is a student's (`class`), and each name can have a
+//! sheet with the numbers of its scene (`class::scene_sheet`).
 //!
-//! A `Budget` limits what is tried, by the same count on every machine, and a number of bytes
-//! limits what is read of a file.
+//! A `Budget` limits how much is tried. It counts work instead of time, so the answer is the same
+//! on every machine. There is also a limit on how many bytes are read from a file.
 
 mod answer;
 mod byte_facts;

@@ -1,4 +1,4 @@
-//! The program `check`: its options, what it prints, and its exit code.
+//! The command-line program `check`: its options, its output and its exit code.
 
 use check::{
     Answer, CheckError, ClassReport, OwnReport, check_png, check_scene_png, escape_for_terminal,
@@ -21,42 +21,42 @@ use std::{env, fs};
 /// and reports which of them are right.
 ///
 /// The exit code is 0 if everything is right, 1 if something is wrong, and 2 if
-/// something is missing, unreadable or, in the folder of a class, not looked at.
+/// something is missing, unreadable or, with --in, not looked at.
 #[derive(Parser)]
 #[command(name = "check", after_help = format!("Names: {}", names_of_right_pictures().join(", ")))]
 #[command(group = ArgGroup::new("use_of_names").args(["folder", "out"]))]
 struct Arguments {
-    /// The picture to look at, a PNG file
+    /// The PNG file to check
     file: Option<PathBuf>,
-    /// The expected picture (default: taken from the name of the file)
+    /// The expected picture (default: taken from the file name)
     #[arg(value_parser = locked_name_parser(), hide_possible_values = true)]
     name: Option<String>,
-    /// The folder of a class, with one folder for each student and whatever is in it and below
+    /// The folder of a class, with one folder per student. Subfolders are searched, too
     #[arg(long = "in", value_name = "FOLDER", conflicts_with = "file")]
     folder: Option<PathBuf>,
-    /// Prints the sheet of a name: the numbers of the scene that belongs to it, and problems on
-    /// paper. With a file, reports whether it is the picture of this scene
+    /// Prints the sheet for a name: the numbers of that name's scene, and problems to solve on
+    /// paper. With a file, checks whether it is the picture of this scene
     #[arg(long, value_name = "NAME", group = "sheet", conflicts_with_all = ["name", "folder"])]
     #[arg(value_parser = NonEmptyStringValueParser::new().map(|name| normalize_name(&name)))]
     scene: Option<String>,
-    /// A file with the names of a class, one on each line. With --out, writes the sheet of each.
-    /// With --in, each line is the whole name of a student's folder, and the report says which
+    /// A file with the names of a class, one per line. With --out, writes a sheet for each name.
+    /// With --in, each line is the full name of a student's folder, and the report says which
     /// folders are missing
     #[arg(long, value_name = "FILE", group = "sheet", requires = "use_of_names")]
     #[arg(conflicts_with_all = ["file", "scene"])]
     names: Option<PathBuf>,
-    /// The folder to write sheets into, which mustn't exist yet. Each sheet is a .md file, and
+    /// The folder to write the sheets to, which must not exist yet. Each sheet is a .md file, and
     /// sheets.html has all of them for printing
     #[arg(long, value_name = "FOLDER", requires = "sheet", conflicts_with_all = ["file", "folder"])]
     out: Option<PathBuf>,
     /// Also writes the answers to the problems, as answers.html
     #[arg(long, requires = "out")]
     answers: bool,
-    /// A word that chooses a different scene for each name and isn't on any sheet
+    /// A word that changes the scene of every name. It appears on no sheet
     #[arg(long, value_name = "WORD", requires = "sheet", conflicts_with_all = ["file", "folder"])]
     #[arg(value_parser = NonEmptyStringValueParser::new().map(|word| normalize_name(&word)))]
     secret: Option<String>,
-    /// The pictures that count, separated by commas (default: all that are there)
+    /// The pictures that count, separated by commas (default: all that are found)
     #[arg(long, value_name = "NAMES", conflicts_with_all = ["file", "scene", "out"])]
     #[arg(value_delimiter = ',', value_parser = locked_name_parser(), hide_possible_values = true)]
     require: Vec<String>,
@@ -72,19 +72,19 @@ fn locked_name_parser() -> PossibleValuesParser {
     PossibleValuesParser::new(names_of_right_pictures())
 }
 
-/// What the program prints if nothing goes wrong.
+/// The output of the program if it succeeds.
 enum Output {
-    /// The answer about a picture.
+    /// The answer about one picture.
     Answer(Answer),
     /// The report on a class.
     ClassReport(ClassReport),
-    /// The report on somebody's own pictures.
+    /// The report on a reader's own pictures.
     OwnReport(OwnReport),
-    /// Text that isn't about any picture.
+    /// A sheet, or the list of the files written.
     Text(String),
 }
 
-/// The form in which the output is printed.
+/// The format of the output.
 #[derive(Clone, Copy)]
 enum Form {
     /// Text for a terminal.
@@ -94,7 +94,7 @@ enum Form {
 }
 
 impl Output {
-    /// The output in a form. Only the report on a class has CSV.
+    /// Formats the output. Only the report on a class has a CSV format.
     fn format(&self, form: Form) -> String {
         match (self, form) {
             (Self::Answer(answer), Form::Json) => answer.to_json(),
@@ -119,7 +119,7 @@ impl Output {
     }
 }
 
-/// The exit code if nothing was compared.
+/// The exit code if the arguments are wrong or nothing could be compared.
 const FAILURE: u8 = 2;
 
 fn main() -> ExitCode {
@@ -133,7 +133,7 @@ fn main() -> ExitCode {
         Arguments { csv: true, .. } => Form::Csv,
         _ => Form::Plain,
     };
-    // Errors in writing are ignored, since the output may be a closed pipe.
+    // Write errors are ignored: whatever reads our output may have closed the pipe.
     match run_on_threads(|| run(arguments)) {
         Ok(output) => {
             let _ = writeln!(io::stdout(), "{}", output.format(form).trim_end());
@@ -149,7 +149,7 @@ fn main() -> ExitCode {
     }
 }
 
-/// Prints what is wrong with the arguments, as JSON if they ask for it.
+/// Prints a usage error, as JSON if `--json` is among the arguments.
 fn print_usage_error(error: &clap::Error) -> ExitCode {
     let text = error.to_string();
     let lines: Vec<_> = text.trim_end().lines().map(escape_for_terminal).collect();
@@ -166,7 +166,7 @@ fn error_to_json(message: &str) -> String {
     json::object([("error", json::quote(message))])
 }
 
-/// Does what the arguments ask for.
+/// Carries out what the arguments ask for.
 fn run(arguments: Arguments) -> Result<Output, Box<dyn Error + Send + Sync>> {
     let names = arguments.names.as_deref().map(read_names).transpose()?;
     let Arguments { file, name, folder, scene, out, answers, secret, require, .. } = arguments;
@@ -186,7 +186,7 @@ fn run(arguments: Arguments) -> Result<Output, Box<dyn Error + Send + Sync>> {
     })
 }
 
-/// The locked pictures named by the option `--require`.
+/// Returns the pictures given with `--require`, in the order of the locked pictures.
 fn required_names(require: &[String]) -> Vec<&'static str> {
     names_of_right_pictures()
         .into_iter()
@@ -194,7 +194,7 @@ fn required_names(require: &[String]) -> Vec<&'static str> {
         .collect()
 }
 
-/// Checks one picture, and saves the difference.
+/// Checks one picture. If there is a difference to show, saves a picture of it.
 fn check_file(
     file: &Path,
     name: Option<&str>,
@@ -211,7 +211,8 @@ fn check_file(
     Ok(answer)
 }
 
-/// Saves the picture of the difference in the target folder. Returns a line that says where.
+/// Saves the picture of the difference in the target folder. Returns a line with its path, or with
+/// the error.
 fn save_difference(difference: &RgbImage, file: &Path) -> String {
     let folder = course::target_folder().join("check");
     let path = folder.join(file.with_extension("difference.png").file_name().unwrap_or_default());

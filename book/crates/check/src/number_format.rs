@@ -1,4 +1,4 @@
-//! Numbers and vectors, as answers and sheets print them.
+//! Formats numbers and vectors for answers and sheets.
 
 use glam::DVec3;
 
@@ -15,14 +15,14 @@ pub(crate) fn format_vector_four_decimals(vector: DVec3) -> String {
     format!("({})", vector.to_array().map(format_four_decimals).join(", "))
 }
 
-/// Formats one number as `-2.5`, and several as `(1, -2.5, 0)`: as somebody types them in Rust.
+/// Formats one number as `-2.5`, or several as `(1, -2.5, 0)`, as they are typed in Rust.
 pub(crate) fn format_as_typed(numbers: &[f64]) -> String {
     let texts: Vec<_> = numbers.iter().map(f64::to_string).collect();
     let list = texts.join(", ");
     if numbers.len() == 1 { list } else { format!("({list})") }
 }
 
-/// The text with a typographic minus for each hyphen.
+/// Replaces each hyphen with a typographic minus.
 pub(crate) fn with_minus(text: &str) -> String {
     text.replace('-', "−")
 }

@@ -1,5 +1,5 @@
-//! Options of the programs (`--width`, `--aspect`, `--fov`, `--samples`) with which a right program
-//! draws the reader's picture.
+//! Finds the options (`--width`, `--aspect`, `--fov`, `--samples`) with which a right program draws
+//! the reader's picture.
 
 use crate::comparison::{Budget, scattered_positions};
 use crate::step_scene::StepScene;
@@ -8,31 +8,32 @@ use image::RgbImage;
 use std::iter;
 use step01_rays::{Camera, mean_colour, rgb8, sub_pixel_offsets};
 
-/// The columns and rows of a picture that is drawn without options.
+/// The columns and rows of a picture that is drawn with the default options.
 const DEFAULT_SIZE: (u32, u32) = (640, 360);
 
-/// The most rays that are drawn to compare a picture with one choice of options. All choices
-/// together may use twice as many.
+/// The maximum number of rays for comparing a picture with one choice of options. All choices
+/// together may take twice as many.
 const RAYS: u32 = 1 << 23;
 
-/// The most rays that are drawn to rule out choices of options.
+/// The maximum number of rays for ruling out choices of options.
 const PROBE_RAYS: u32 = 6_000_000;
 
-/// This many pixels rule out most choices, before all pixels are compared.
+/// The number of pixels that are compared first. They rule out most choices.
 const PROBES: usize = 200;
 
-/// How far rounding may move a byte of the sky.
+/// The allowance for rounding errors in a byte of the sky.
 const ROUNDING: f64 = 1e-6;
 
-/// How far the mean of a pixel that shows one object may be from the colour at its centre, and the
-/// least columns that a picture needs for this to be so.
+/// If a pixel shows a single object, its mean colour is this close to the colour at its centre, in
+/// units of a byte. That holds for pictures with at least `COARSE_COLUMNS` columns.
 const OBJECT_TOLERANCE: f64 = 64.0;
 const COARSE_COLUMNS: u32 = 64;
 
-/// One in this many bytes on the border may belong to an object that is as blue as the sky.
+/// At most one in this many bytes on the border may belong to an object that is as blue as the sky.
 const BYTES_PER_OBJECT_BYTE: i32 = 20;
 
-/// Angles with four decimals are tried if the bounds of the angle are closer than this.
+/// Angles with four decimals are tried only if the bounds on the angle are less than this far
+/// apart.
 const MOST_DEGREES_FOR_FOUR_DECIMALS: f64 = 1.0;
 
 /// Options with which a right program draws the reader's picture.
@@ -40,20 +41,21 @@ pub(crate) struct Options {
     size: (u32, u32),
     fov_degrees: f64,
     samples: u32,
-    /// How many pixels were compared. It is all of them unless that takes too many rays.
+    /// The number of pixels that were compared: all of them, unless that would take too many rays.
     compared: usize,
-    /// Whether the picture has one colour, as it has with many options.
+    /// Whether the picture is one colour, which many options produce.
     is_one_colour: bool,
 }
 
 impl Options {
-    /// Whether somebody would type this angle, since it has one decimal at most.
+    /// Whether somebody is likely to type this angle, since it has at most one decimal.
     pub fn is_plain_angle(&self) -> bool {
         let tenths = 10.0 * self.fov_degrees;
         tenths == tenths.round()
     }
 
-    /// A sentence to follow one about mistakes that give the same picture.
+    /// A sentence to follow one about mistakes: a right program with these options gives the same
+    /// picture.
     pub fn same_picture_sentence(&self) -> String {
         let (columns, rows) = self.size;
         let mut options = format!("--fov {}", self.fov_degrees);
@@ -72,12 +74,12 @@ impl Options {
         }
     }
 
-    /// Whether the picture has one colour, as it has with many options.
+    /// Whether the picture is one colour, which many options produce.
     pub fn is_one_colour(&self) -> bool {
         self.is_one_colour
     }
 
-    /// A sentence about a picture that is drawn with these options.
+    /// A sentence about a picture that was drawn with these options. It calls ours `title`.
     pub fn headline(&self, title: &str) -> String {
         let ((columns, rows), samples) = (self.size, self.samples);
         let all = columns as usize * rows as usize;
@@ -108,8 +110,8 @@ impl Options {
     }
 }
 
-/// Finds the plainest options with which a right program draws this picture of a scene. Returns
-/// None if there are none, or if it would take too many rays to find them.
+/// Finds the simplest options with which a right program draws this picture from a scene. Returns
+/// None if there are none, or if the search takes too many rays.
 pub(crate) fn find_options(scene: &StepScene, yours: &RgbImage) -> Option<Options> {
     let size @ (columns, rows) = yours.dimensions();
     if columns < 2 {
@@ -146,14 +148,14 @@ pub(crate) fn find_options(scene: &StepScene, yours: &RgbImage) -> Option<Option
     None
 }
 
-/// Angles in degrees: the default, then whole ones, then those with one decimal.
+/// Returns angles in degrees: the default, then whole numbers, then numbers with one decimal.
 fn plain_angles() -> impl Iterator<Item = f64> {
     let tenths = (1..1800).filter(|number| number % 10 != 0).map(|number| f64::from(number) / 10.0);
     iter::once(60.0).chain((1..180).map(f64::from)).chain(tenths)
 }
 
-/// Angles with two and three decimals that fit the upper border of a picture, if that shows the
-/// sky. If the border leaves only a few angles, those with four decimals come, too.
+/// Returns angles with two and three decimals that fit the upper half of a picture's border, if
+/// that shows the sky. If only a narrow range fits, angles with four decimals follow.
 fn fine_angles(yours: &RgbImage) -> impl Iterator<Item = f64> {
     let (columns, rows) = yours.dimensions();
     let side = f64::from(columns - 1);
@@ -161,7 +163,7 @@ fn fine_angles(yours: &RgbImage) -> impl Iterator<Item = f64> {
     let upper_sides = (0..rows / 2).flat_map(|j| [(0, j), (columns - 1, j)]);
     for (i, j) in (0..columns).map(|i| (i, 0)).chain(upper_sides) {
         let colour = yours.get_pixel(i, j);
-        // V is (x tan, y tan, −1), so that blue is 255.
+        // Here tan is that of θ/2. In the sky, V is (x tan, y tan, −1), so blue is 255.
         let x = 2.0 * f64::from(i) / side - 1.0;
         let y = (f64::from(rows - 1) - 2.0 * f64::from(j)) / side;
         for (factor, byte) in [(x, colour[0]), (y, colour[1])] {
@@ -186,9 +188,9 @@ fn fine_angles(yours: &RgbImage) -> impl Iterator<Item = f64> {
     })
 }
 
-/// The bounds of the numbers that lie in almost as many intervals as any number does. It is almost,
-/// since a few of the pixels that are taken for the sky may show a highlight. Without intervals,
-/// all numbers from 0 on are within the bounds.
+/// Returns the bounds of the numbers that lie in almost as many intervals as any number does. Only
+/// almost, because a few of the pixels that pass for sky may show a highlight. Without intervals,
+/// the bounds are 0 and infinity.
 fn find_common_bounds(intervals: &[(f64, f64)]) -> (f64, f64) {
     if intervals.is_empty() {
         return (0.0, f64::INFINITY);
@@ -196,7 +198,8 @@ fn find_common_bounds(intervals: &[(f64, f64)]) -> (f64, f64) {
     let starts = intervals.iter().map(|(start, _)| (*start, 1));
     let ends = intervals.iter().map(|(_, end)| (*end, -1));
     let mut changes: Vec<(f64, i32)> = starts.chain(ends).collect();
-    // A number where one interval ends and another begins lies in both.
+    // Starts come before ends, since a number where one interval ends and another starts lies in
+    // both.
     changes.sort_by(|a, b| a.0.total_cmp(&b.0).then(b.1.cmp(&a.1)));
     let counts = changes.iter().scan(0, |count, (_, change)| {
         *count += change;
@@ -205,14 +208,14 @@ fn find_common_bounds(intervals: &[(f64, f64)]) -> (f64, f64) {
     let counts: Vec<_> = counts.collect();
     let most = counts.iter().copied().max().unwrap_or(0);
     let is_enough = |count: &i32| *count >= most - most / BYTES_PER_OBJECT_BYTE;
-    // The change after the last count that is enough is the end of an interval.
+    // The change after the last count that is large enough is the end of an interval.
     let first = counts.iter().position(is_enough).unwrap_or(0);
     let last = counts.iter().rposition(is_enough).map_or(0, |k| k + 1);
     (changes[first].0, changes[last].0)
 }
 
-/// Positions on the border of a picture, beginning at a corner. For most angles, the border shows
-/// the sky.
+/// Returns positions on the border of a picture, starting at a corner. For most angles, the border
+/// shows the sky.
 fn border_positions((columns, rows): (u32, u32)) -> impl Iterator<Item = (u32, u32)> {
     let downwards = (0..rows).step_by(rows.div_ceil(50) as usize);
     let across = (0..columns).step_by(columns.div_ceil(50) as usize);
@@ -220,9 +223,9 @@ fn border_positions((columns, rows): (u32, u32)) -> impl Iterator<Item = (u32, u
     sides.chain(across.flat_map(move |i| [(i, 0), (i, rows - 1)]))
 }
 
-/// Whether a pixel may be right with some number of samples. The sky is linear, so its mean over a
-/// pixel is its colour at the centre. Within one object, the mean is close to that if pixels are
-/// small.
+/// Whether a pixel may be right for some number of samples. The sky is linear, so its mean over a
+/// pixel is its colour at the centre. Within an object, the mean is close to that colour if pixels
+/// are small. At an edge, it may be anything.
 fn may_be_right(scene: &StepScene, camera: &Camera, yours: &RgbImage, (i, j): (u32, u32)) -> bool {
     let (x, y) = (f64::from(i), f64::from(j));
     let seen_at = |(u, v)| scene.visible_hit(&camera.ray(x + u, y + v)).map(|hit| hit.object);
@@ -250,7 +253,7 @@ mod tests {
         assert_eq!(find_common_bounds(&[]), (0.0, f64::INFINITY));
         assert_eq!(find_common_bounds(&[(1.0, 3.0), (2.0, 4.0)]), (2.0, 3.0));
         assert_eq!(find_common_bounds(&[(1.0, 2.0), (2.0, 4.0)]), (2.0, 2.0));
-        // One in twenty-one doesn't matter.
+        // One interval in twenty-one may miss the bounds.
         let mut intervals = vec![(1.0, 2.0); 20];
         intervals.push((5.0, 6.0));
         assert_eq!(find_common_bounds(&intervals), (1.0, 2.0));

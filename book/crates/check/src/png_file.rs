@@ -1,4 +1,4 @@
-//! The picture in a PNG file, and what a file is if it has none.
+//! Reads the picture in a PNG file, or recognises what else the file is.
 
 use image::RgbImage;
 use png::{BitDepth, ColorType, Decoder, DecodingError, Info, Limits, Transformations};
@@ -6,7 +6,7 @@ use std::io::{Cursor, ErrorKind};
 use step01_rays::MOST_PIXELS;
 use thiserror::Error;
 
-/// The first bytes of a PNG file.
+/// The signature at the start of each PNG file.
 const PNG: &[u8] = b"\x89PNG\r\n\x1a\n";
 
 const COPIED_AS_TEXT: &str =
@@ -17,8 +17,8 @@ const IN_UTF_16: &str = "text in UTF-16, as > writes it in PowerShell; have the 
                          picture itself";
 const WEB_PAGE: &str = "a web page, not the picture on it; save the picture itself";
 
-/// Files that are not PNG files: where certain bytes begin, these bytes, and what the file is. At
-/// the end come PNG files whose first bytes were damaged by a copy.
+/// Formats other than PNG, each with the offset of its signature, the signature, and a clause about
+/// the file. At the end come PNG files whose own signature was damaged by copying.
 const FORMATS: [(usize, &[u8], &str); 26] = [
     (0, b"\xff\xd8\xff", "a JPEG, which has lost details; draw it again as PNG"),
     (8, b"WEBP", "a WebP picture; save it as PNG"),
@@ -48,7 +48,7 @@ const FORMATS: [(usize, &[u8], &str); 26] = [
     (0, b"\xC2\x89PNG", COPIED_AS_TEXT),
 ];
 
-/// What the files of Netpbm are, from P1 to P7.
+/// The clauses about Netpbm files, from P1 to P7.
 const NETPBM: [&str; 7] = [
     "a PBM picture, written as text (P1); save it as PNG",
     "a PGM picture, written as text (P2); save it as PNG",
@@ -59,44 +59,45 @@ const NETPBM: [&str; 7] = [
     "a PAM picture (P7); save it as PNG",
 ];
 
-/// How many bytes the second header of a BMP file may have, in the order of its versions.
+/// The possible lengths of the second header in a BMP file, one for each version of the format.
 const BMP_HEADERS: [u8; 7] = [12, 40, 52, 56, 64, 108, 124];
 
-/// The most bytes of a file, and the most bytes into which one of its chunks is unpacked.
+/// The maximum size of a file in bytes. The decoder may allocate as much for itself, for instance
+/// to unpack a chunk.
 pub(crate) const FILE_BYTES: u64 = 1 << 26;
 
-/// The most bytes that are unpacked: enough for all pixels with alpha and 8 bits per channel.
+/// The maximum size of the decoded pixels in bytes: enough for the largest picture with alpha and 8
+/// bits per channel.
 const MOST_BYTES: u64 = 4 * MOST_PIXELS;
 
-/// What a PNG file holds.
+/// The contents of a PNG file.
 pub(crate) struct DecodedPng {
     /// The pixels, without alpha.
     pub rgb: RgbImage,
     /// Whether some pixels are not opaque.
     pub is_transparent: bool,
-    /// A sentence for each thing that is unusual about the file, or that was left out.
+    /// One sentence for each unusual property of the file, and for anything that was left out.
     pub notes: Vec<String>,
 }
 
-/// Why the picture in a file can't be read. Each message is a clause that follows the name of
-/// the file.
+/// Why the picture in a file can't be read. Each message is a clause to follow the file name.
 #[derive(Debug, Error)]
 pub enum PngError {
-    /// The file has a different format, or none that is known.
+    /// The file has a different format, or an unknown one.
     #[error("is {0}")]
     OtherFormat(&'static str),
-    /// The file has more bytes than are read.
+    /// The file is larger than the limit.
     #[error("is too large: the limit is {} MB", FILE_BYTES >> 20)]
     TooManyBytes,
-    /// The picture has more pixels than the programs draw.
+    /// The picture has more pixels than the course's programs would draw.
     #[error(
         "is too large: it has {columns}×{rows} pixels, and the limit is 8192×4608 or as many in a \
          different shape"
     )]
     TooManyPixels {
-        /// The columns of the picture.
+        /// The number of columns in the picture.
         columns: u32,
-        /// The rows of the picture.
+        /// The number of rows in the picture.
         rows: u32,
     },
     /// The pixels would take too much memory.
@@ -105,9 +106,9 @@ pub enum PngError {
         MOST_BYTES >> 20
     )]
     TooMuchMemory {
-        /// The columns of the picture.
+        /// The number of columns in the picture.
         columns: u32,
-        /// The rows of the picture.
+        /// The number of rows in the picture.
         rows: u32,
     },
     /// The decoder gave up.
@@ -118,7 +119,7 @@ pub enum PngError {
     MissingPixels,
 }
 
-/// Reads the picture in a PNG file. Checks its size before anything is unpacked.
+/// Reads the picture in a PNG file. The size is checked before anything is unpacked.
 pub(crate) fn read_png(file: &[u8]) -> Result<DecodedPng, PngError> {
     if file.len() as u64 > FILE_BYTES {
         return Err(PngError::TooManyBytes);
@@ -128,7 +129,8 @@ pub(crate) fn read_png(file: &[u8]) -> Result<DecodedPng, PngError> {
     }
     let limits = Limits { bytes: FILE_BYTES as usize };
     let mut decoder = Decoder::new_with_limits(Cursor::new(file), limits);
-    // Turns palettes into colours, transparent colours into alpha, and fewer bits into eight.
+    // Expands palettes to colours, transparent colours to alpha, and samples of fewer than 8 bits
+    // to 8.
     decoder.set_transformations(Transformations::EXPAND);
     decoder.set_ignore_text_chunk(true);
     let mut reader = decoder.read_info().map_err(PngError::Damaged)?;
@@ -136,7 +138,7 @@ pub(crate) fn read_png(file: &[u8]) -> Result<DecodedPng, PngError> {
     if u64::from(columns) * u64::from(rows) > MOST_PIXELS {
         return Err(PngError::TooManyPixels { columns, rows });
     }
-    // It is None if no memory could be large enough.
+    // None means that the size doesn't fit in a usize.
     let byte_count = reader.output_buffer_size().unwrap_or(usize::MAX);
     if byte_count as u64 > MOST_BYTES {
         return Err(PngError::TooMuchMemory { columns, rows });
@@ -159,7 +161,7 @@ pub(crate) fn read_png(file: &[u8]) -> Result<DecodedPng, PngError> {
     Ok(DecodedPng { rgb, is_transparent: transparent.count > 0, notes })
 }
 
-/// Sentences about features of a PNG file that the programs of the course don't use.
+/// Describes features of a PNG file that the course's programs don't use, in a sentence each.
 fn describe_kind(info: &Info) -> Vec<String> {
     let mut notes = vec![];
     if info.color_type == ColorType::Indexed {
@@ -182,7 +184,7 @@ fn describe_kind(info: &Info) -> Vec<String> {
     notes
 }
 
-/// Rounds samples of 16 bits to 8.
+/// Rounds 16-bit samples to 8 bits.
 fn round_samples(bytes: &[u8]) -> Vec<u8> {
     let round = |pair: &[u8]| {
         let sample = u32::from(pair[0]) << 8 | u32::from(pair[1]);
@@ -195,11 +197,12 @@ fn round_samples(bytes: &[u8]) -> Vec<u8> {
 #[derive(Default)]
 struct Transparent {
     count: usize,
-    /// The index of the first, counted row by row.
+    /// The index of the first one, counted row by row.
     first: Option<usize>,
 }
 
-/// Splits samples into red, green and blue of each pixel, and the pixels that are not opaque.
+/// Separates the samples into the red, green and blue of each pixel, and a record of the pixels
+/// that aren't opaque.
 fn split_alpha(samples: Vec<u8>, colour_type: ColorType) -> (Vec<u8>, Transparent) {
     let mut transparent = Transparent::default();
     let mut note_alpha = |number: usize, alpha: u8| {
@@ -231,8 +234,8 @@ fn split_alpha(samples: Vec<u8>, colour_type: ColorType) -> (Vec<u8>, Transparen
     (rgb, transparent)
 }
 
-/// Recognises the format of a file by its first bytes, in any case and after any blanks. Returns a
-/// clause such as `a PDF; save the picture as PNG`, or None for a PNG file.
+/// Recognises the format of a file by its first bytes, ignoring case and leading whitespace.
+/// Returns a clause such as `a PDF; save the picture as PNG`, or None for a PNG file.
 fn find_other_format(file: &[u8]) -> Option<&'static str> {
     if file.starts_with(PNG) {
         return None;
@@ -251,7 +254,7 @@ fn find_other_format(file: &[u8]) -> Option<&'static str> {
     }
 }
 
-/// What a file of Netpbm is, which begins with a P, a digit, and a blank or a comment.
+/// Recognises a Netpbm file, which starts with `P`, a digit, and whitespace or a comment.
 fn netpbm_clause(file: &[u8]) -> Option<&'static str> {
     let [b'P', digit, behind, ..] = file else { return None };
     let number = digit.checked_sub(b'1')?;
@@ -267,7 +270,7 @@ fn bmp_clause(file: &[u8]) -> Option<&'static str> {
     is_bmp.then_some("a BMP picture; save it as PNG")
 }
 
-/// What a decoder's error means for the file.
+/// Explains what a decoder's error says about the file.
 fn damage_clause(error: &DecodingError) -> &'static str {
     match error {
         DecodingError::IoError(error) if error.kind() == ErrorKind::UnexpectedEof => {

@@ -1,4 +1,4 @@
-//! Files are read up to a number of bytes, and only if they are files.
+//! Reads files up to a maximum size, and only regular files.
 
 use crate::png_file::FILE_BYTES;
 use course::is_obeyed_by_terminals;
@@ -22,23 +22,23 @@ pub enum ReadFileError {
         /// The path.
         path: String,
     },
-    /// The file has more bytes than are read.
+    /// The file is larger than the limit.
     #[error("{path} is too large: the limit is {} MB", FILE_BYTES >> 20)]
     TooLarge {
         /// The path of the file.
         path: String,
     },
-    /// The system refused to read it.
+    /// The system couldn't read the file.
     #[error("can't read {path}: {source}")]
     Io {
         /// The path of the file.
         path: String,
-        /// The error of the system.
+        /// The system's error.
         source: io::Error,
     },
 }
 
-/// Reads the bytes of a file. A folder, a device or a pipe is never opened.
+/// Reads a file, unless it is larger than the limit. A folder, a device or a pipe is never opened.
 pub fn read_bounded_file(file: &Path) -> Result<Vec<u8>, ReadFileError> {
     let path = escape_for_terminal(&file.display().to_string());
     match read_at_most(file, FILE_BYTES) {
@@ -50,7 +50,7 @@ pub fn read_bounded_file(file: &Path) -> Result<Vec<u8>, ReadFileError> {
     }
 }
 
-/// What is at a path.
+/// What was found at a path.
 #[derive(Debug, PartialEq)]
 enum FileContents {
     Bytes(Vec<u8>),
@@ -68,8 +68,7 @@ fn read_at_most(path: &Path, most_bytes: u64) -> io::Result<FileContents> {
     Ok(if is_small { FileContents::Bytes(bytes) } else { FileContents::TooLarge })
 }
 
-/// The text with escapes for characters that a terminal obeys or that change the direction of
-/// writing.
+/// Escapes the characters in a text that a terminal obeys, or that change the direction of writing.
 pub fn escape_for_terminal(text: &str) -> String {
     let escape = |c: char| match is_obeyed_by_terminals(c) {
         true => c.escape_default().to_string(),

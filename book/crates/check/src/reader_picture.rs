@@ -4,11 +4,11 @@ use course::{Mistake, find_mistakes_with_hash, hash_picture, hashes_of_right_pic
 use image::RgbImage;
 use std::cell::OnceCell;
 
-/// A picture with more pixels isn't hashed. All locked pictures are drawn with the default
-/// options and are smaller, and so are those of the listed mistakes.
+/// The maximum number of pixels in a picture that is hashed. A larger one can't be in the table,
+/// whose pictures are drawn with the default options.
 const MOST_HASHED_PIXELS: usize = 1 << 20;
 
-/// A reader's picture, which is hashed once at most.
+/// A reader's picture, which is hashed at most once.
 pub(crate) struct ReaderPicture {
     pub rgb: RgbImage,
     hash: OnceCell<Option<u64>>,
@@ -19,7 +19,7 @@ impl ReaderPicture {
         Self { rgb, hash: OnceCell::new() }
     }
 
-    /// The hash of the picture, or None if it is too large to be in a table.
+    /// Returns the hash of the picture, or None if the picture is too large to be in the table.
     fn hash(&self) -> Option<u64> {
         *self.hash.get_or_init(|| {
             let is_small = self.rgb.pixels().len() <= MOST_HASHED_PIXELS;
@@ -27,19 +27,19 @@ impl ReaderPicture {
         })
     }
 
-    /// The name of the locked picture that is equal to this one.
+    /// Finds the locked picture that equals this one, and returns its name.
     pub fn find_equal(&self) -> Option<&'static str> {
         let hash = self.hash()?;
         hashes_of_right_pictures().find(|(_, locked)| *locked == hash).map(|(name, _)| name)
     }
 
-    /// The listed mistakes that give this picture, each with the name of the picture that should
-    /// have been drawn. The likeliest come first.
+    /// Finds the listed mistakes that produce this picture, likeliest first. Each comes with the
+    /// name of the picture that should have been drawn.
     pub fn find_mistakes(&self) -> Vec<(&'static Mistake, &'static str)> {
         self.hash().map(find_mistakes_with_hash).unwrap_or_default()
     }
 
-    /// The listed mistakes that give this picture instead of the one of this name.
+    /// Finds the listed mistakes that produce this picture in place of the one called `name`.
     pub fn find_mistakes_in(&self, name: &str) -> Vec<&'static Mistake> {
         let mistakes = self.find_mistakes().into_iter();
         mistakes.filter(|(_, drawn)| *drawn == name).map(|(mistake, _)| mistake).collect()

@@ -1,4 +1,4 @@
-//! How many pixels of the sky and of each object are wrong.
+//! Counts the wrong pixels in the sky and in each object.
 
 use crate::answer::join_first;
 use crate::comparison::{Comparison, Pixel};
@@ -8,16 +8,16 @@ use step01_rays::{direction_colour, rgb8};
 
 const MOST_REGIONS: usize = 3;
 
-/// The pixels that show the sky in our picture, or one of the objects.
+/// The pixels where our picture shows the sky, or where it shows a certain object.
 pub(crate) struct Region {
     name: String,
     all: usize,
     wrong: usize,
-    /// How many have the colour of the sky or of an object behind this one.
+    /// The number of wrong pixels that have the colour of the sky or of an object behind this one.
     hidden: usize,
 }
 
-/// Counts the pixels of the sky and of each object that our picture shows, in this order.
+/// Counts the pixels of the sky and of each object that is visible in our picture, in this order.
 pub(crate) fn count_regions(comparison: &Comparison, scene: &StepScene) -> Vec<Region> {
     let names = [vec!["the sky".to_owned()], scene.object_names()].concat();
     let regions = names.into_iter().map(|name| Region { name, all: 0, wrong: 0, hidden: 0 });
@@ -36,14 +36,15 @@ pub(crate) fn count_regions(comparison: &Comparison, scene: &StepScene) -> Vec<R
     regions
 }
 
-/// A sentence about the pixels that show what lies behind, unless there are few of them, and about
-/// the objects that show nowhere in your picture.
+/// Describes the wrong pixels that show what should be hidden, and names the objects that are
+/// missing from your picture. Returns None if no object is missing and few pixels show what should
+/// be hidden.
 pub(crate) fn hidden_sentence(regions: &[Region]) -> Option<String> {
     let hidden: usize = regions.iter().map(|region| region.hidden).sum();
     let wrong: usize = regions.iter().map(|region| region.wrong).sum();
     let nowhere = regions.iter().filter(|region| region.hidden == region.all);
     let nowhere: Vec<_> = nowhere.map(|region| &*region.name).collect();
-    // A few may have such a colour by chance.
+    // A few pixels may have such a colour by chance.
     if nowhere.is_empty() && 10 * hidden < wrong {
         return None;
     }
@@ -57,7 +58,7 @@ pub(crate) fn hidden_sentence(regions: &[Region]) -> Option<String> {
     Some(sentence + ".")
 }
 
-/// A sentence about the regions with the most wrong pixels, and about those that are right.
+/// Names the regions with the most wrong pixels, and those that are right in every pixel.
 pub(crate) fn region_sentence(mut regions: Vec<Region>) -> String {
     regions.sort_by_key(|region| Reverse(region.wrong));
     let (wrong, right): (Vec<_>, Vec<_>) = regions.iter().partition(|region| region.wrong > 0);

@@ -5,7 +5,7 @@ use glam::DVec3;
 use step01_rays::rgb8;
 use step05_phong::{Light, Ray, Terms, ambient, direction_colour, light_terms, normal};
 
-/// A scene, and the functions of a step that draw it.
+/// A scene, and the step whose functions draw it.
 pub(crate) struct StepScene {
     pub step: Step,
     pub own: OwnScene,
@@ -38,7 +38,7 @@ impl StepScene {
         Self { step, own: OwnScene::new(scene), light_names }
     }
 
-    /// The scene that belongs to a name, drawn by step 5.
+    /// The scene that is generated from a name, drawn by step 5.
     pub fn of_name(name: &str) -> Self {
         let light_names = ["the first light", "the second light"];
         Self { step: Step::Phong, own: OwnScene::new(named_scene(name)), light_names }
@@ -53,13 +53,13 @@ impl StepScene {
             .collect()
     }
 
-    /// The intensity of the light along a ray.
+    /// The intensity of the light that arrives along a ray.
     pub fn colour(&self, ray: &Ray) -> DVec3 {
         let hit = self.visible_hit(ray);
         hit.map_or_else(|| direction_colour(ray), |hit| self.colour_at_hit(ray, hit))
     }
 
-    /// The bytes of the pixel that a ray draws.
+    /// The bytes of the pixel that a ray belongs to.
     pub fn bytes(&self, ray: &Ray) -> [u8; 3] {
         rgb8(self.colour(ray)).0
     }
@@ -72,7 +72,7 @@ impl StepScene {
         })
     }
 
-    /// The nearest hit along a ray.
+    /// The nearest hit along a ray, on the object that the ray shows.
     pub fn visible_hit(&self, ray: &Ray) -> Option<ObjectHit> {
         self.object_hits(ray).min_by(|a, b| a.t.total_cmp(&b.t))
     }
@@ -85,7 +85,7 @@ impl StepScene {
         }
     }
 
-    /// The terms of all lights at a hit, even if another object hides it.
+    /// The sum of all lights' terms at a hit, even if another object hides it.
     pub fn terms_at_hit(&self, ray: &Ray, hit: ObjectHit) -> Terms {
         let ambient = self.ambient_at_hit(hit);
         let mut terms = Terms { ambient, ..Terms::default() };
@@ -95,14 +95,14 @@ impl StepScene {
         terms
     }
 
-    /// I_a at a hit.
+    /// The ambient term I_a at a hit.
     pub fn ambient_at_hit(&self, hit: ObjectHit) -> DVec3 {
         let scene = &self.own.scene;
         ambient(&scene.objects[hit.object].material.matte, scene.ambient_light)
     }
 
-    /// The terms of one light at a hit, even if another object hides it. There is no specular
-    /// term before step 5.
+    /// One light's terms at a hit, even if another object hides it. Before step 5, the specular
+    /// term is zero.
     pub fn light_terms_at_hit(&self, ray: &Ray, hit: ObjectHit, light: &Light) -> Terms {
         let object = &self.own.scene.objects[hit.object];
         let p = ray.at(hit.t);

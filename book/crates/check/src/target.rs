@@ -1,4 +1,4 @@
-//! What a reader's picture is compared with.
+//! The right picture that a reader's picture is compared with.
 
 use crate::escape_for_terminal;
 use crate::step_scene::StepScene;
@@ -6,13 +6,13 @@ use course::{Step, camera};
 use image::RgbImage;
 use step01_rays::render;
 
-/// A right picture to compare with: a locked one, or the scene that belongs to a name.
+/// A right picture to compare with: a locked one, or that of the scene generated from a name.
 pub(crate) struct Target {
-    /// What a sentence calls it, such as `the picture of glass`.
+    /// What a sentence calls the picture, such as `the picture of glass`.
     pub title: String,
-    /// The name of the locked picture, or None for the scene of a name.
+    /// The name of the locked picture, or None if the scene was generated from a name.
     pub name: Option<String>,
-    /// What draws it, or None for an exercise.
+    /// The scene and the step that draw the picture, or None for an exercise.
     pub scene: Option<StepScene>,
     pub picture: RgbImage,
 }
@@ -25,7 +25,7 @@ impl Target {
         Self { title, name: Some(name.to_owned()), scene, picture }
     }
 
-    /// The target for the scene that belongs to a name.
+    /// The target for the scene that is generated from a name.
     pub fn of_scene(name: &str) -> Self {
         let scene = StepScene::of_name(name);
         let picture = render(&camera(), 1, |ray| scene.colour(ray));
@@ -33,13 +33,13 @@ impl Target {
     }
 }
 
-/// What a sentence calls a scene, such as `the scene of ada`.
+/// What a sentence calls the scene of a name, such as `the scene of ada`.
 pub(crate) fn scene_title(name: &str) -> String {
     format!("the scene of {}", escape_for_terminal(name))
 }
 
-/// Finds one of `names` in the name of a file, such as `step03_nearest.png`, `my_lens-2.png` or
-/// `step3.png`. If there are several, takes the longest.
+/// Finds one of `names` in a file name, such as `step03_nearest.png`, `my_lens-2.png` or
+/// `step3.png`. If there are several, returns the longest.
 pub(crate) fn find_name_in_file_name<'a>(
     file_name: &str,
     names: impl Iterator<Item = &'a str> + Clone,
@@ -77,7 +77,7 @@ mod tests {
         assert_eq!(find("MyScene-2.png"), Some("my_scene"));
         assert_eq!(find("sunny.png"), None);
         assert_eq!(find("rings/picture.png"), None);
-        // The longest of several names counts.
+        // Of several names, the longest is found.
         assert_eq!(find("sun rings.png"), Some("rings"));
         assert_eq!(find("step4.png"), None);
     }

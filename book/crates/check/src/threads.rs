@@ -1,17 +1,17 @@
-//! The threads that draw.
+//! The thread pool that draws.
 
 use rayon::ThreadPoolBuilder;
 use std::thread;
 
-/// Runs a function that may draw on several threads: one for each processor. If the system has no
-/// threads to spare, it runs on the current one.
+/// Runs a function that may draw in parallel, with one thread per processor. If the system can't
+/// start threads, it runs on the current one.
 pub fn run_on_threads<T: Send>(act: impl FnOnce() -> T + Send) -> T {
     let count = thread::available_parallelism().map_or(1, usize::from);
     let alone = || ThreadPoolBuilder::new().num_threads(1).use_current_thread().build_global();
     match ThreadPoolBuilder::new().num_threads(count).build() {
         Ok(threads) => threads.install(act),
         Err(_) => {
-            // This fails only if rayon has been used before, and then it has its threads.
+            // This fails only if rayon already has a global pool, which will do.
             let _ = alone();
             act()
         }

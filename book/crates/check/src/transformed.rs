@@ -1,14 +1,16 @@
-//! Pictures that are ours as a whole, turned, cut out or enlarged, or of one colour.
+//! Recognises our whole picture if it is turned, cropped or enlarged or has its channels swapped.
+//! Also recognises pictures of a single colour.
 
 use crate::comparison::{Budget, scattered_positions};
 use image::RgbImage;
 
-/// How many pixels may be compared to find a part, and the least pixels of a part.
+/// The number of pixels that may be compared to locate a part, and the smallest number of pixels in
+/// a part.
 const PIXELS: u32 = 1 << 26;
 const LEAST_PIXELS: usize = 100;
 
-/// The position in a turned picture of a pixel of ours. The second argument is our last column and
-/// row.
+/// Maps the position of a pixel in our picture to its position in the turned picture. The second
+/// argument is the last column and row of ours.
 type Turn = fn((u32, u32), (u32, u32)) -> (u32, u32);
 
 const TURNS: [(&str, Turn); 6] = [
@@ -27,8 +29,8 @@ const ORDERS: [(&str, [usize; 3]); 4] = [
     ("with green and blue exchanged", [0, 2, 1]),
 ];
 
-/// A sentence about a picture that has one colour, or that is ours turned, cut out or enlarged.
-/// Returns None for any other picture. Ours has this title.
+/// Describes a picture that is one colour, or that is ours turned, cropped, enlarged or with its
+/// channels swapped. Returns None for any other picture. The sentence calls ours `title`.
 pub(crate) fn describe_whole(picture: &RgbImage, ours: &RgbImage, title: &str) -> Option<String> {
     if let Some([r, g, b]) = uniform_colour(picture) {
         return Some(format!("Your picture is one colour, ({r}, {g}, {b}), in all pixels."));
@@ -41,23 +43,23 @@ pub(crate) fn describe_whole(picture: &RgbImage, ours: &RgbImage, title: &str) -
     is_ours.then(|| format!("This is {title}, {}.", clauses.join(", or ")))
 }
 
-/// The colour of all pixels if they have the same.
+/// Returns the colour of the picture if all its pixels are the same.
 pub(crate) fn uniform_colour(picture: &RgbImage) -> Option<[u8; 3]> {
     let first = picture.get_pixel_checked(0, 0)?.0;
-    // Each pixel is equal to the one before it.
+    // This compares each pixel with the one before it.
     let bytes = picture.as_raw();
     (bytes[3..] == bytes[..bytes.len() - 3]).then_some(first)
 }
 
-/// Clauses such as `upside down`, if your picture is ours turned, mirrored or with its channels in
-/// a different order. Each turn has the plainest order that fits.
+/// Returns a clause such as `upside down` for each turn that makes our picture yours, possibly with
+/// its channels in a different order. Each turn comes with the first order that fits.
 fn turned_or_swapped_clauses(yours: &RgbImage, ours: &RgbImage) -> Vec<String> {
     if yours.pixels().len() != ours.pixels().len() {
         return vec![];
     }
     let (columns, rows) = ours.dimensions();
     let clauses = TURNS.iter().filter_map(|(turned, turn)| {
-        // A grey picture looks the same in any order.
+        // Several orders may fit: a grey picture looks the same in all of them.
         let (swapped, _) = ORDERS.iter().find(|(_, order)| {
             scattered_positions((columns, rows)).all(|position| {
                 let (i, j) = turn(position, (columns - 1, rows - 1));
@@ -71,7 +73,7 @@ fn turned_or_swapped_clauses(yours: &RgbImage, ours: &RgbImage) -> Vec<String> {
     clauses.collect()
 }
 
-/// A clause such as `enlarged 2 times`, if your picture is a part of ours, or ours enlarged.
+/// Returns a clause such as `enlarged 2 times` if your picture is a part of ours, or ours enlarged.
 fn cut_or_enlarged_clause(yours: &RgbImage, ours: &RgbImage) -> Option<String> {
     let ((w, h), (columns, rows)) = (yours.dimensions(), ours.dimensions());
     if let Some((i, j)) = find_corner(yours, ours) {
@@ -84,7 +86,8 @@ fn cut_or_enlarged_clause(yours: &RgbImage, ours: &RgbImage) -> Option<String> {
     is_enlarged.then(|| format!("enlarged {times} times"))
 }
 
-/// The column and row in `whole` where `part` begins, if it is a part of it.
+/// Finds the column and row in `whole` at which `part` begins. Returns None if it isn't a part, if
+/// it is too small to tell, or if the budget runs out.
 fn find_corner(part: &RgbImage, whole: &RgbImage) -> Option<(u32, u32)> {
     let (w, h) = part.dimensions();
     let (columns, rows) = (whole.width().checked_sub(w)?, whole.height().checked_sub(h)?);
@@ -104,7 +107,7 @@ fn find_corner(part: &RgbImage, whole: &RgbImage) -> Option<(u32, u32)> {
 mod tests {
     use super::*;
 
-    /// A picture in which all pixels are different.
+    /// A picture in which no two pixels are the same.
     fn numbered(columns: u32, rows: u32) -> RgbImage {
         RgbImage::from_fn(columns, rows, |i, j| [i as u8, j as u8, 200].into())
     }
@@ -135,7 +138,7 @@ mod tests {
         let part = RgbImage::from_fn(15, 7, |i, j| ours[(i + 4, j + 2)]);
         let words = "cut out: its columns 4 to 18 and rows 2 to 8";
         assert_eq!(clause(&part).as_deref(), Some(words));
-        // It has fewer than 100 pixels.
+        // This part has 99 pixels, one too few.
         assert_eq!(clause(&RgbImage::from_fn(11, 9, |i, j| ours[(i, j)])), None);
         let enlarged = RgbImage::from_fn(60, 30, |i, j| ours[(i / 3, j / 3)]);
         assert_eq!(clause(&enlarged).as_deref(), Some("enlarged 3 times"));

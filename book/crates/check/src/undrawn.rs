@@ -1,23 +1,23 @@
-//! Black or white pixels in a plain shape, which a program may never have drawn.
+//! Finds black or white pixels that form a simple shape, and may never have been drawn.
 
 use crate::comparison::{Comparison, Pixel};
 use std::collections::BTreeSet;
 
-/// Fewer pixels don't count as undrawn, nor as a picture inside a border.
+/// Fewer pixels than this don't count as undrawn, nor as a picture inside a border.
 const LEAST_PIXELS: usize = 100;
 
-/// The most rectangles that a sentence names.
+/// The maximum number of rectangles that a sentence names.
 const MOST_RECTANGLES: usize = 4;
 
-/// Lines that are farther apart, or pixels in reading order, don't count as a pattern.
+/// The largest period that counts as a pattern, whether of diagonals or of pixels in reading order.
 const LARGEST_PERIOD: u32 = 64;
 
 const BLACK: [u8; 3] = [0; 3];
 const WHITE: [u8; 3] = [255; 3];
 
-/// A sentence about wrong pixels that are black or white and form a plain shape, as pixels do that
-/// were never drawn. Black ones may also form any shape if all other pixels are right and a part of
-/// the sky is. The sentence doesn't say why pixels are white, since too much light makes them
+/// Describes wrong pixels that are black or white and form a simple shape, as undrawn pixels do.
+/// Black ones may have any shape if no other pixels are wrong and they cover a part of the sky, but
+/// not all of it. The sentence doesn't say why pixels are white, since too much light makes them
 /// white, too.
 pub(crate) fn undrawn_sentence(comparison: &Comparison) -> Option<String> {
     black_sentence(comparison).or_else(|| white_sentence(comparison))
@@ -53,20 +53,20 @@ fn white_sentence(comparison: &Comparison) -> Option<String> {
     Some(format!("{} wrong pixels are white: {words}.", mask.inside_count()))
 }
 
-/// A plain shape of undrawn pixels.
+/// A simple shape of pixels that may be undrawn.
 struct Shape {
     words: String,
     cause: ShapeCause,
 }
 
-/// What most likely left out the pixels of a black shape.
+/// The likeliest reason why the pixels of a shape are black.
 #[derive(Clone, Copy)]
 enum ShapeCause {
-    /// The loops of a program.
+    /// A loop of the program left them out.
     Loop,
-    /// An editor that put a border around a finished picture.
+    /// An editor put a border around a finished picture.
     Editor,
-    /// Several pieces may be anything dark if other pixels are wrong, too.
+    /// There is no telling: several pieces may be anything dark if other pixels are wrong, too.
     Unknown,
 }
 
@@ -81,16 +81,16 @@ enum Membership {
     Outside,
 }
 
-/// Which pixels of a reader's picture have one colour.
+/// Which pixels in a reader's picture have a given colour.
 struct Mask {
     columns: u32,
     rows: u32,
-    /// All pixels, row by row.
+    /// One for each pixel, row by row.
     memberships: Vec<Membership>,
 }
 
 impl Mask {
-    /// The mask of a colour. Returns None if too few wrong pixels have it.
+    /// Creates the mask for a colour. Returns None if too few wrong pixels have that colour.
     fn of_colour_if_common(comparison: &Comparison, colour: [u8; 3]) -> Option<Self> {
         let has_colour = |pixel: &&Pixel| pixel.yours == colour;
         let count = comparison.wrong.iter().filter(has_colour).count();
@@ -138,7 +138,8 @@ impl Mask {
         })
     }
 
-    /// The first shape we know that fits. Returns None if none does, or if it is the whole picture.
+    /// Finds the first shape we know that fits. Returns None if none fits, or if the shape is the
+    /// whole picture.
     fn find_shape(&self) -> Option<Shape> {
         if !self.memberships.contains(&Membership::Outside) {
             return None;
@@ -154,7 +155,7 @@ impl Mask {
         shapes.iter().find_map(|find| find(self))
     }
 
-    /// Bars on both sides, or above and below, or a frame.
+    /// Finds bars on two or more sides. On all four, they are a frame.
     fn find_border(&self) -> Option<Shape> {
         let kept = self.pixels().filter(|(_, _, membership)| *membership == Membership::Outside);
         let kept: Vec<_> = kept.collect();
@@ -171,15 +172,15 @@ impl Mask {
             ("below", self.rows - 1 - last_row),
         ];
         let bars: Vec<_> = sides.into_iter().filter(|(_, width)| *width > 0).collect();
-        // A bar on only one side is a rectangle, which a loop leaves that ends too soon. And a
-        // border surrounds something.
+        // A single bar is a rectangle, as left by a loop that ends too soon. And a border must
+        // surround something.
         if bars.len() < 2 || kept.len() < LEAST_PIXELS || !self.is_shape(is_border) {
             return None;
         }
         let shape = if bars.len() == 4 { "a frame" } else { "bars" };
         let widths = bars.iter().map(|(side, width)| format!("{width} {side}"));
         let widths = widths.collect::<Vec<_>>().join(", ");
-        // A loop may leave out the first and the last line. An editor's border is wider.
+        // A loop may leave out the first and the last line. A border from an editor is wider.
         let is_loop = bars.iter().all(|(_, width)| *width == 1);
         let cause = if is_loop { ShapeCause::Loop } else { ShapeCause::Editor };
         let simile = if is_loop { "" } else { ", as editors add them" };
@@ -187,7 +188,8 @@ impl Mask {
         Some(Shape { words, cause })
     }
 
-    /// All crossings of some columns and rows.
+    /// Finds all crossings of certain columns with certain rows, such as every other row or a
+    /// rectangle.
     fn find_crossings(&self) -> Option<Shape> {
         let columns: BTreeSet<_> = self.inside_positions().map(|(i, _)| i).collect();
         let rows: BTreeSet<_> = self.inside_positions().map(|(_, j)| j).collect();
@@ -200,7 +202,8 @@ impl Mask {
         is_shape.then_some(Shape { words: words?, cause: ShapeCause::Loop })
     }
 
-    /// Everything except the crossings of some columns and rows, such as lines between tiles.
+    /// Finds everything except the crossings of certain columns with certain rows, such as lines
+    /// between tiles.
     fn find_all_except_crossings(&self) -> Option<Shape> {
         let columns: BTreeSet<_> = (0..self.columns).collect();
         let rows: BTreeSet<_> = (0..self.rows).collect();
@@ -219,7 +222,7 @@ impl Mask {
         Some(Shape { words, cause: ShapeCause::Loop })
     }
 
-    /// A few rectangles, such as tiles that some threads never drew.
+    /// Finds a few rectangles, such as tiles that some threads never drew.
     fn find_rectangles(&self) -> Option<Shape> {
         let mut rest = self.memberships.clone();
         let index = |i: u32, j: u32| (j * self.columns + i) as usize;
@@ -247,7 +250,7 @@ impl Mask {
         Some(Shape { words: words.join(", and "), cause })
     }
 
-    /// Every nth pixel, counted row by row.
+    /// Finds every nth pixel, counted row by row.
     fn find_stride(&self) -> Option<Shape> {
         let number = |i: u32, j: u32| j * self.columns + i;
         let (period, remainders) = self.find_period(number)?;
@@ -262,14 +265,14 @@ impl Mask {
                 format!("{}, {direction}", format_remainders("diagonal", period, &remainders));
             Shape { words, cause: ShapeCause::Loop }
         };
-        // Adding the rows keeps the difference from being negative.
+        // Adding the number of rows keeps the difference from being negative.
         let falling = self.find_period(|i, j| i + self.rows - j);
         let falling = falling.map(|found| describe("falling to the right", found));
         falling.or_else(|| Some(describe("rising to the right", self.find_period(|i, j| i + j)?)))
     }
 
-    /// Numbers each pixel, and finds the smallest period by whose remainders the shape is
-    /// described. Returns the period and these remainders.
+    /// Numbers the pixels with `number`, and finds the smallest period for which the shape is made
+    /// up of all pixels with certain remainders. Returns the period and these remainders.
     fn find_period(&self, number: impl Fn(u32, u32) -> u32) -> Option<(u32, BTreeSet<u32>)> {
         let inside: Vec<_> = self.inside_positions().map(|(i, j)| number(i, j)).collect();
         (2..=LARGEST_PERIOD).find_map(|period| {
@@ -279,8 +282,8 @@ impl Mask {
         })
     }
 
-    /// Formats lines as `row 3`, `rows 3 to 9` or `every 2nd row from 1 to 359`. Returns None for no
-    /// lines and for all lines.
+    /// Formats lines as `row 3`, `rows 3 to 9` or `every 2nd row from 1 to 359`. Returns None if
+    /// there are no lines, or if they are all lines of the picture.
     fn format_lines(&self, word: &str, lines: &BTreeSet<u32>) -> Option<String> {
         let all = if word == "row" { self.rows } else { self.columns };
         let (first, last) = (lines.first()?, lines.last()?);
@@ -296,7 +299,8 @@ impl Mask {
     }
 }
 
-/// Joins columns and rows, such as `columns 3 to 9 of row 2`. Returns None if there are neither.
+/// Joins the descriptions of columns and rows, as in `columns 3 to 9 of row 2`. Returns None if
+/// there are neither.
 fn join_columns_and_rows(columns: &Option<String>, rows: &Option<String>) -> Option<String> {
     let both = [columns, rows].into_iter().flatten().map(String::as_str);
     let both: Vec<_> = both.collect();

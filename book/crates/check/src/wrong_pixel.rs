@@ -1,4 +1,4 @@
-//! The wrong pixel that an answer shows in full.
+//! The one wrong pixel that an answer shows in full.
 
 use crate::comparison::{Comparison, Pixel};
 use crate::number_format::{format_four_decimals, format_vector_four_decimals};
@@ -14,7 +14,8 @@ pub(crate) fn describe_wrong_pixel(Comparison { target, farthest, .. }: &Compari
     format!("Column {i}, row {j}: yours is {a}, ours {b}{}.", computed.unwrap_or_default())
 }
 
-/// A colon, and the values that our program computes for one ray, in the letters of the book.
+/// Formats the values that our program computes for one ray, in the book's notation and after a
+/// colon.
 fn computed_values(scene: &StepScene, ray: &Ray, hit: Option<ObjectHit>) -> String {
     let Some(hit) = hit else {
         return format!(": the sky, V = {}", format_vector_four_decimals(ray.direction));

@@ -1,4 +1,4 @@
-//! Reports on a class and on somebody's own pictures, and the sheets of a class.
+//! Tests the reports on a class and on a reader's own pictures, and the sheets for a class.
 
 use crate::program::{run_check, write_files};
 use crate::{
@@ -109,7 +109,7 @@ fn reports_on_own_pictures_are_as_locked() {
     assert_locked("own_pictures", answers);
 }
 
-/// Only Linux allows these names.
+/// Only Linux allows folders to have these names.
 #[test]
 #[cfg(target_os = "linux")]
 fn odd_names_of_folders_stay_apart() {
@@ -162,7 +162,7 @@ fn folders_with_too_many_entries_are_reported() {
     let _ = fs::remove_dir_all(&folder);
 }
 
-/// The names and texts of all files in a folder.
+/// Returns the names and texts of all files in a folder.
 fn read_folder(folder: &Path) -> Vec<(String, String)> {
     let entries = fs::read_dir(folder).expect("a folder").flatten();
     let mut files: Vec<_> = entries
@@ -205,7 +205,7 @@ fn sheets_are_as_locked() {
     ];
     assert_locked("writing_sheets", runs.map(|arguments| run_check(&folder, arguments)));
     assert_locked("sheets", read_folder(&folder.join("sheets")));
-    // The messages of these errors differ between systems.
+    // These error messages differ between systems.
     for arguments in [["long.txt", "new"], ["names.txt", "full/other.txt/new"]] {
         let [names, out] = arguments;
         let (_, text) = run_check(&folder, &["--names", names, "--out", out]);

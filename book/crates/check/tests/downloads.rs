@@ -1,5 +1,5 @@
-//! Downloads from learning platforms, made up and unpacked, and the lines of shell from the page for
-//! teachers, which turn them into a folder for each student.
+//! Made-up downloads from learning platforms, already unpacked. The shell commands on the page for
+//! teachers turn each of them into one folder per student.
 
 use crate::program::{run_check, write_files};
 use crate::{assert_locked, create_empty_folder, encode, locked_file, locked_picture, map_locked};
@@ -8,7 +8,7 @@ use std::fs;
 use std::path::Path;
 use std::process::Command;
 
-/// The lines of shell below the paragraph of the page for teachers that begins with these words.
+/// Returns the shell commands below the paragraph that contains `words` on the page for teachers.
 fn shell_lines(words: &str) -> String {
     let page = workspace().join("book/src/teaching.md");
     let page = fs::read_to_string(page).expect("the page for teachers").replace('\r', "");
@@ -17,7 +17,7 @@ fn shell_lines(words: &str) -> String {
     below.split_once("\n```\n").expect("their end").0.to_owned()
 }
 
-/// Runs lines of shell in a folder.
+/// Runs shell commands in a folder. They have to succeed without printing errors.
 fn run_shell(folder: &Path, lines: &str) {
     let output = Command::new("sh").args(["-ec", lines]).current_dir(folder).output();
     let output = output.expect("sh runs");
@@ -25,8 +25,8 @@ fn run_shell(folder: &Path, lines: &str) {
     assert!(output.status.success() && errors.is_empty(), "{lines}\n{errors}");
 }
 
-/// Turns the files of a download into folders by the lines for its platform. Returns the report on
-/// them.
+/// Turns the files of a download into folders, using the shell commands for its platform, and
+/// returns the report on them.
 fn report_on_download<const COUNT: usize>(
     platform: &str,
     words: &str,
@@ -47,9 +47,9 @@ fn report_on_download<const COUNT: usize>(
 struct Files {
     rays: Vec<u8>,
     sphere: Vec<u8>,
-    /// Rays, upside down.
+    /// `rays` upside down.
     flipped: Vec<u8>,
-    /// The disc in the sky of step 2, with red and blue exchanged.
+    /// `sphere` with red and blue exchanged.
     bgr: Vec<u8>,
     /// Step 2 at 320×180.
     small: Vec<u8>,
@@ -71,7 +71,7 @@ fn downloaded_files() -> Files {
 
 const FOLDERS: &str = "**Moodle, D2L Brightspace, Gradescope and GitHub**";
 
-/// Hand-ins of more than twenty-four students on seven platforms. Each picture is right, or the
+/// Submissions by more than twenty-four students on seven platforms. Each picture is right, or the
 /// report names it for a person to look at.
 #[test]
 fn made_up_downloads_are_reported_as_locked() {

@@ -1,4 +1,5 @@
-//! Answers about files in other formats, damaged ones, and features that aren't read.
+//! Answers about files in other formats, damaged files, and PNG files with features that the
+//! course's programs don't use.
 
 use crate::{assert_locked, encode, format_answer, locked_picture};
 use check::check_png;
@@ -7,7 +8,8 @@ use course::{Step, camera_with_size};
 use image::{DynamicImage, RgbImage};
 use std::slice;
 
-/// The PNG file with these columns and rows in its header, whatever it holds.
+/// Returns the PNG file with its header changed to these columns and rows, whatever it really
+/// contains.
 fn with_size(png: &[u8], columns: u32, rows: u32) -> Vec<u8> {
     let size = [columns, rows].map(u32::to_be_bytes).concat();
     let header = [&png[12..16], &size, &png[24..29]].concat();
@@ -15,7 +17,7 @@ fn with_size(png: &[u8], columns: u32, rows: u32) -> Vec<u8> {
     [&png[..12], &header, &sum, &png[33..]].concat()
 }
 
-/// A PNG file of 640×360 pixels with a palette of 16 colours, all black.
+/// Returns a PNG file of 640×360 pixels with a palette, 4 bits per pixel, all black.
 fn with_palette() -> Vec<u8> {
     let mut file = vec![];
     let mut encoder = png::Encoder::new(&mut file, 640, 360);
@@ -28,7 +30,7 @@ fn with_palette() -> Vec<u8> {
     file
 }
 
-/// A chunk of a PNG file.
+/// Returns a chunk of a PNG file.
 fn chunk(kind: &[u8; 4], contents: &[u8]) -> Vec<u8> {
     let kind_and_contents = [kind, contents].concat();
     let length = (contents.len() as u32).to_be_bytes();
@@ -36,7 +38,7 @@ fn chunk(kind: &[u8; 4], contents: &[u8]) -> Vec<u8> {
     [&length[..], &kind_and_contents, &sum].concat()
 }
 
-/// The answer about a file that should be the picture of step 2.
+/// Returns the title, and the answer about a file that should be the picture of step 2.
 fn titled_answer(title: &str, file: &[u8]) -> (String, String) {
     let answer = check_png(file, "my.png", Some("step02_sphere"), read_locked_picture);
     (title.to_owned(), format_answer(answer))
@@ -107,7 +109,8 @@ fn other_kinds_of_png_are_as_locked() {
     let still = encode(ours.clone());
     let with_chunks = |chunks: &[Vec<u8>]| [&still[..33], &chunks.concat(), &still[33..]].concat();
     let animation = chunk(b"acTL", &[0, 0, 0, 2, 0, 0, 0, 0]);
-    // The index 0, then 640×360 pixels at (0, 0), then the delay and how to draw them.
+    // The sequence number 0, the size 640×360 and the offset (0, 0). The delay and the drawing mode
+    // follow.
     let frame = [0, 640, 360, 0, 0].map(u32::to_be_bytes).concat();
     let first_frame = chunk(b"fcTL", &[&frame[..], &[0, 1, 0, 10, 0, 0]].concat());
     let one_grey = DynamicImage::new_luma16(1, 1);

@@ -1,4 +1,4 @@
-//! Laws that hold for all pictures and all files.
+//! Properties that hold for all pictures and all files.
 
 use crate::{check, encode, locked_file, locked_picture, map_locked};
 use check::{CheckError, ComparedPictures, Verdict, check_png};
@@ -42,7 +42,7 @@ fn right_programs_with_options_are_blamed_for_nothing() {
     for k in 0..40 {
         let step = Step::ALL[k % 5];
         let decimals = [1, 10, 100, 1000][k / 10];
-        // With smaller angles, the border doesn't show the sky, from which the decimals follow.
+        // At smaller angles, the border doesn't show the sky, which gives away the decimals.
         let fov_degrees =
             f64::from(random.u32(40 * decimals..150 * decimals)) / f64::from(decimals);
         let (columns, rows) = (random.u32(16..200), random.u32(16..200));
@@ -56,7 +56,7 @@ fn right_programs_with_options_are_blamed_for_nothing() {
     }
 }
 
-/// On the right border, a highlight is as blue as the sky.
+/// In these pictures, a highlight on the right border is as blue as the sky.
 #[test]
 fn angles_with_highlights_on_the_border_are_found() {
     let step = Step::Phong;
@@ -75,7 +75,7 @@ fn angles_with_highlights_on_the_border_are_found() {
     }
 }
 
-/// No picture rules out a mistake in step 1, since it may be in something that the sky doesn't show.
+/// No picture rules out a mistake in step 1, since the sky doesn't show everything in that step.
 #[test]
 fn wrong_pictures_of_all_steps_name_the_tests_of_step_1() {
     for step in Step::ALL {

@@ -1,5 +1,5 @@
-//! What `check` says about every kind of picture that a reader may have. The answers are snapshots:
-//! review them as a reader would read them.
+//! Tests what `check` says about every kind of picture that a reader may have. The answers are
+//! snapshots: review them as a reader would read them.
 
 mod class;
 #[cfg(unix)]
@@ -28,18 +28,18 @@ fn locked_picture(name: &str) -> RgbImage {
     read_locked_picture(name).expect("a locked picture")
 }
 
-/// The locked picture `name`, with each pixel changed according to its position and colour.
+/// Returns the locked picture `name`, with each pixel changed according to its position and colour.
 fn map_locked(name: &str, change: impl Fn(u32, u32, [u8; 3]) -> [u8; 3]) -> RgbImage {
     let ours = locked_picture(name);
     RgbImage::from_fn(640, 360, |i, j| Rgb(change(i, j, ours.get_pixel(i, j).0)))
 }
 
-/// Draws a function from rays to colours with the camera of the course.
+/// Draws a function from rays to colours, as seen by the course's camera.
 fn draw(colour: impl Fn(&Ray) -> DVec3 + Sync) -> RgbImage {
     render(&camera(), 1, colour)
 }
 
-/// Draws the scene that belongs to a name.
+/// Draws the scene that is generated from a name.
 fn draw_named_scene(name: &str) -> RgbImage {
     let scene = named_scene(name);
     draw(|ray| step05_phong::colour(&scene, ray))
@@ -68,7 +68,7 @@ fn format_answer(result: Result<Answer, CheckError>) -> String {
     format!("[{}]\n{text}{causes}", answer.verdict.words())
 }
 
-/// Compares answers, each below its title, with the snapshot of this name.
+/// Compares answers, each below its title, with the snapshot `name`.
 #[track_caller]
 fn assert_locked(name: &str, answers: impl IntoIterator<Item = (String, String)>) {
     let answers = answers.into_iter();

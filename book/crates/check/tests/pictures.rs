@@ -1,5 +1,5 @@
-//! Answers about pictures: ours as a whole, ours with one change, pictures with mistakes that we
-//! don't know, and the scenes that belong to names.
+//! Answers about pictures: ours as a whole, ours with one change, pictures with mistakes that
+//! aren't listed, and scenes generated from names.
 
 use crate::{
     assert_locked, check, draw, draw_named_scene, encode, format_answer, locked_picture, map_locked,
@@ -20,7 +20,7 @@ const RAYS: &str = "step01_rays";
 const NEAREST: &str = "step03_nearest";
 const PHONG: &str = "step05_phong";
 
-/// Compares the answers about pictures with the snapshot of this name.
+/// Compares the answers about these pictures with the snapshot `name`.
 #[track_caller]
 fn assert_rows_locked(name: &str, rows: impl IntoIterator<Item = Row>) {
     let answer = |(title, expected, picture): Row| {

@@ -1,4 +1,4 @@
-//! The program `check`: its arguments, its exit codes, its errors and its JSON.
+//! Tests the program `check`: its options, exit codes, errors and JSON.
 
 use crate::{
     assert_locked, create_empty_folder, draw_named_scene, encode, locked_file, map_locked,
@@ -7,8 +7,8 @@ use std::fs;
 use std::path::Path;
 use std::process::{Command, Output};
 
-/// Runs `check` with these arguments in this folder. Returns the command, and the exit code with
-/// everything that is printed.
+/// Runs `check` with these arguments in this folder. Returns the command, and a text with the exit
+/// code and all output.
 pub fn run_check(folder: &Path, arguments: &[&str]) -> (String, String) {
     let mut command = Command::new(env!("CARGO_BIN_EXE_check"));
     let output = command.current_dir(folder).args(arguments).output();
@@ -17,12 +17,12 @@ pub fn run_check(folder: &Path, arguments: &[&str]) -> (String, String) {
     let code = status.code().unwrap_or(-1);
     let stream = if error.is_empty() { "" } else { ", standard error" };
     let text = format!("[exit code {code}{stream}]\n{out}{error}");
-    // Paths differ between machines.
+    // A path follows, which differs between machines.
     let text = text.split_inclusive("side by side:").next().unwrap_or_default();
     (format!("check {}", arguments.join(" ")), text.to_owned())
 }
 
-/// Writes files into a folder and into folders below it.
+/// Writes files to a folder and to its subfolders.
 pub fn write_files<const COUNT: usize>(folder: &Path, files: [(&str, Vec<u8>); COUNT]) {
     for (file, bytes) in files {
         let path = folder.join(file);

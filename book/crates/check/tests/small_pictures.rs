@@ -1,5 +1,5 @@
-//! Answers about small pictures, since many of them are checked in a short time. Each sentence about
-//! wrong pixels is tried with just enough of what it needs, and with a little less.
+//! Answers about small pictures, of which many can be checked in a short time. Each sentence about
+//! wrong pixels is tested with just enough of what it requires, and with slightly too little.
 
 use crate::{assert_locked, encode, format_answer};
 use check::check_png;
@@ -13,7 +13,7 @@ use step05_phong::{Light, Material, Ray, Scene, phong, visible_point};
 const COLUMNS: u32 = 64;
 const ROWS: u32 = 36;
 
-/// The right picture of this name, in the small size.
+/// Draws the right picture called `name`, at the small size.
 fn draw_small(name: &str) -> Result<RgbImage, String> {
     let picture = find_picture(name).ok_or("no such picture")?;
     Ok(picture(&camera_with_size(COLUMNS, ROWS), 1))
@@ -23,20 +23,20 @@ fn small_picture(step: Step) -> RgbImage {
     draw_small(step.name()).expect("a picture")
 }
 
-/// The picture of a step, with each pixel changed according to its position and colour.
+/// Returns the picture of a step, with each pixel changed according to its position and colour.
 fn map_small(step: Step, change: impl Fn(u32, u32, [u8; 3]) -> [u8; 3]) -> RgbImage {
     let ours = small_picture(step);
     RgbImage::from_fn(COLUMNS, ROWS, |i, j| Rgb(change(i, j, ours[(i, j)].0)))
 }
 
-/// Draws a function from rays to colours.
+/// Draws a function from rays to colours, at the small size.
 fn draw(colour: impl Fn(&Ray) -> DVec3) -> RgbImage {
     let camera = camera_with_size(COLUMNS, ROWS);
     RgbImage::from_fn(COLUMNS, ROWS, |i, j| rgb8(colour(&camera.ray(i.into(), j.into()))))
 }
 
-/// Compares the answers about pictures with the snapshot of this name. They leave out the tests by
-/// hand and the pixel at the end.
+/// Compares the answers about these pictures with the snapshot `name`. The `by_hand` tests and the
+/// pixel at the end are left out.
 #[track_caller]
 fn assert_small_locked(name: &str, rows: impl IntoIterator<Item = (&'static str, Step, RgbImage)>) {
     let answer = |(title, step, picture): (&str, Step, RgbImage)| {
@@ -67,7 +67,7 @@ fn facts_of_small_pictures_are_as_locked() {
         let sky = small_picture(Rays);
         map_small(Phong, move |i, j, ours| if ours == sky[(i, j)].0 { ours } else { change(ours) })
     };
-    // Of this many pixels of the red sphere, five show the sky and the others a wrong colour.
+    // Changes this many pixels of the red sphere: five show the sky and the others a wrong colour.
     let few_show_the_sky = |count: usize| {
         let (mut picture, sky) = (small_picture(Nearest), small_picture(Rays));
         let red = picture.enumerate_pixels().filter(|(_, _, colour)| colour.0 == [232, 87, 71]);
@@ -146,7 +146,7 @@ fn facts_of_small_pictures_are_as_locked() {
                 Nearest,
                 map_small(Nearest, |i, j, c| if j < 10 { [9, 9, (i % 2) as u8] } else { c }),
             ),
-            // Bytes that depend only on intensities or on bytes.
+            // Bytes that depend only on our intensities or our bytes.
             ("falling bytes", Phong, map_small(Phong, |_, _, c| c.map(|b| 255 - b))),
             ("falling bytes", Rays, map_small(Rays, |_, _, c| c.map(|b| 255 - b))),
             ("half", Sphere, map_small(Sphere, |_, _, c| c.map(|b| b / 2))),

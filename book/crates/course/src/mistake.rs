@@ -1,55 +1,55 @@
 //! The list of mistakes.
 //!
-//! In the files of the list, each block of lines is a mistake. The first line is its title. The
-//! others begin with marks:
+//! In the files of the list, blank lines separate blocks, and each block is a mistake. The first
+//! line is its title. Each of the others starts with a mark:
 //!
 //! - `-` the right code,
 //! - `+` the code that is written instead.
 //!
-//! A block that begins with `@` names the file of the mistakes below it. If the book shows a
-//! mistake, its block has four more lines:
+//! A block that starts with `@` names the file that the mistakes below it are in. Any other block
+//! of one line is a comment. If the book shows a mistake, its block has four more kinds of lines:
 //!
-//! - `!` the name of its picture, and of the step that is drawn, unless that is the file's step;
-//!   there may be several,
-//! - `?` why it is wrong,
+//! - `!` the name of a picture, and the step that draws it unless that is the file's step; there
+//!   may be several of these lines,
+//! - `?` why the code is wrong,
 //! - `/` the section to read again,
-//! - `"` what one sees in the picture.
+//! - `"` what the picture shows.
 
 use crate::Step;
 use crate::mistake_files::mistake_texts;
 use std::sync::OnceLock;
 
-/// A mistake that readers make: some code of a file, and what they write instead.
+/// A mistake that readers make: some code in a file, and what they write instead.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mistake {
     /// A short description.
     pub title: &'static str,
-    /// The step whose crate has the file.
+    /// The step whose crate contains the file.
     pub step: Step,
-    /// The file, as a path from the root of the workspace.
+    /// The file, as a path relative to the workspace root.
     pub file: String,
-    /// The right code. Blanks at the start of a line don't count.
+    /// The right code. Whitespace at the start of a line doesn't count.
     pub old: String,
     /// The code that is written instead.
     pub new: String,
-    /// What the book says about the mistake, if it shows it.
+    /// What the book says about the mistake, if it shows the mistake.
     pub shown: Option<ShownMistake>,
 }
 
 /// How the book shows a mistake.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ShownMistake {
-    /// Its pictures, at least one.
+    /// The pictures of the mistake, at least one.
     pub pictures: Vec<MistakePicture>,
-    /// A sentence that says why it is wrong, or what is right.
+    /// A sentence that says why the code is wrong, or what is right.
     pub reason: &'static str,
-    /// The heading of the section to read again, in a chapter of its step.
+    /// The heading of the section to read again, in a chapter about the mistake's step.
     pub section: &'static str,
-    /// A sentence about what its picture shows.
+    /// A sentence about what the picture shows.
     pub effect: &'static str,
 }
 
-/// A picture of a mistake in the book.
+/// A picture in the book that shows a mistake.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct MistakePicture {
     /// The name: lower-case words joined by `-`.
@@ -58,8 +58,8 @@ pub struct MistakePicture {
     pub step: Step,
 }
 
-/// All mistakes, in the order of the lists. The lists are parsed once. In a module of a page there
-/// are no mistakes until the page has provided the lists.
+/// Returns all mistakes, in the order of the lists, which are parsed only once. In a page's module,
+/// there are none until the page has provided the lists.
 pub fn mistakes() -> &'static [Mistake] {
     static MISTAKES: OnceLock<Vec<Mistake>> = OnceLock::new();
     let Some(texts) = mistake_texts() else { return &[] };
@@ -69,7 +69,7 @@ pub fn mistakes() -> &'static [Mistake] {
     })
 }
 
-/// Parses the list of a step.
+/// Parses a step's list.
 fn parse_list(step: Step, list: &'static str) -> Vec<Mistake> {
     let mut mistakes = vec![];
     let mut file = String::new();
@@ -82,7 +82,7 @@ fn parse_list(step: Step, list: &'static str) -> Vec<Mistake> {
     mistakes
 }
 
-/// Parses a block of a list. Returns None for a comment, which has one line.
+/// Parses a block of a list. Returns None for a comment, which is a single line.
 fn parse_mistake(step: Step, file: &str, block: &'static str) -> Option<Mistake> {
     let (title, marked_lines) = block.split_once('\n')?;
     let marked = |mark: char| {
@@ -101,8 +101,8 @@ fn parse_mistake(step: Step, file: &str, block: &'static str) -> Option<Mistake>
     Some(Mistake { title, step, file: file.to_owned(), old: text('-'), new: text('+'), shown })
 }
 
-/// Parses `name` or `name step`. If the last word isn't a step, it stays in the name, and a test
-/// finds the blank there.
+/// Parses `name` or `name step`. If the last word isn't a step, it stays in the name, where a test
+/// finds the space.
 fn parse_picture(default_step: Step, words: &'static str) -> MistakePicture {
     let name_and_step = words.rsplit_once(' ');
     let name_and_step = name_and_step.and_then(|(name, step)| Some((name, Step::from_name(step)?)));
@@ -111,26 +111,26 @@ fn parse_picture(default_step: Step, words: &'static str) -> MistakePicture {
 }
 
 impl Mistake {
-    /// The pictures of the mistake in the book. There are none if the book doesn't show it.
+    /// The pictures of the mistake in the book, or none if the book doesn't show it.
     pub fn pictures(&self) -> &[MistakePicture] {
         self.shown.as_ref().map(|shown| &*shown.pictures).unwrap_or_default()
     }
 
-    /// The steps whose pictures the mistake may change: its own and the later ones.
+    /// The steps whose pictures the mistake may change: its own and all later ones.
     pub fn affected_steps(&self) -> impl Iterator<Item = Step> {
         Step::ALL.into_iter().skip(self.step as usize)
     }
 
-    /// The mistake as a diff: the lines of the right code after `- `, and those that are written
-    /// instead after `+ `.
+    /// Formats the mistake as a diff: the lines of the right code after `- `, then those that are
+    /// written instead after `+ `.
     pub fn old_and_new_lines(&self) -> String {
         let old = self.old.lines().map(|line| format!("- {line}"));
         let new = self.new.lines().map(|line| format!("+ {line}"));
         old.chain(new).collect::<Vec<_>>().join("\n")
     }
 
-    /// The text of its file with the mistake in it, without indentation. If the right code isn't
-    /// there exactly once, returns how many times it is there.
+    /// Applies the mistake to the text of its file, and removes the indentation. If the right code
+    /// doesn't occur exactly once, returns the number of times it does.
     pub fn apply_and_unindent(&self, file_text: &str) -> Result<String, usize> {
         let (file_text, old) = (unindent(file_text), unindent(&self.old));
         match file_text.matches(&old).count() {
@@ -140,7 +140,7 @@ impl Mistake {
     }
 }
 
-/// The text without the blanks at the start of each line.
+/// Removes the whitespace at the start of each line.
 fn unindent(text: &str) -> String {
     let lines: Vec<_> = text.split('\n').map(str::trim_start).collect();
     lines.join("\n")

@@ -1,11 +1,12 @@
-//! The texts of the list of mistakes. A program includes them. The modules of the pages don't, so
-//! that an edit of the list doesn't compile them again: a page loads the texts and provides them.
+//! The texts that make up the list of mistakes. They are compiled into native programs, but not
+//! into the modules for the pages, which would have to be compiled again whenever the list is
+//! edited. Instead, a page loads the texts and provides them to its module.
 
 use crate::Step;
 use std::iter;
 use std::sync::OnceLock;
 
-/// What separates the texts that a page loads.
+/// The separator between the texts that a page loads.
 const SEPARATOR: char = '\0';
 
 const STEP_COUNT: usize = Step::ALL.len();
@@ -26,20 +27,20 @@ static PROVIDED: OnceLock<MistakeTexts> = OnceLock::new();
 /// The list of mistakes as text.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MistakeTexts {
-    /// The mistakes of each step.
+    /// The list for each step.
     pub lists: [&'static str; STEP_COUNT],
-    /// The table of the pictures that they give.
+    /// The table with the hashes of the pictures that the mistakes produce.
     pub table: &'static str,
 }
 
 impl MistakeTexts {
-    /// All texts in one, for a page.
+    /// Joins all texts into one that a page can load.
     pub fn join(&self) -> String {
         let texts: Vec<_> = self.lists.into_iter().chain([self.table]).collect();
         texts.join(&SEPARATOR.to_string())
     }
 
-    /// Takes apart what [`Self::join`] has joined. Texts that are missing at the end are empty.
+    /// Splits what [`Self::join`] has joined. If texts are missing at the end, they are empty.
     fn split(joined: &'static str) -> Self {
         let mut texts = joined.split(SEPARATOR).chain(iter::repeat(""));
         let mut next = || texts.next().unwrap_or_default();
@@ -47,12 +48,12 @@ impl MistakeTexts {
     }
 }
 
-/// The texts, or None in a module to which no page has provided them yet.
+/// Returns the texts, or None in a module that no page has provided them to yet.
 pub fn mistake_texts() -> Option<&'static MistakeTexts> {
     if cfg!(target_arch = "wasm32") { PROVIDED.get() } else { Some(&INCLUDED) }
 }
 
-/// Provides the joined texts to a module. Only the first call counts.
+/// Provides the joined texts to a module. Only the first call has an effect.
 pub fn provide_mistake_texts(joined: &str) {
     PROVIDED.get_or_init(|| MistakeTexts::split(String::from(joined).leak()));
 }

@@ -1,6 +1,6 @@
-//! The table with a hash of each picture that a mistake gives, and the small pictures that the book
-//! shows. The small pictures of a step are in one file, below each other in the order of the table,
-//! since a change of the scene changes all of them.
+//! The table with a hash of each picture that a mistake produces, and the small pictures that the
+//! book shows. The small pictures for a step are stacked in one file, in the order of the table,
+//! since a change to the scene changes all of them anyway.
 //!
 //! The table is `table.txt`, which `cargo xtask` writes. All its hashes are hexadecimal.
 //!
@@ -40,13 +40,13 @@ pub struct RightPicture<'a> {
     pub small_pictures: Vec<&'a str>,
 }
 
-/// The row of a mistake in the table.
+/// A mistake's row in the table.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TableRow {
-    /// A hash of everything that determined its pictures when they were drawn.
+    /// A hash of everything that determined the mistake's pictures when they were drawn.
     pub key: u32,
-    /// The hash of the picture of its step and of each later one. A hash is None if that picture
-    /// is right in spite of the mistake, or can't be drawn.
+    /// The hashes of the pictures of the mistake's step and of all later steps. A hash is None if
+    /// that picture is right in spite of the mistake, or can't be drawn.
     pub hashes: Vec<Option<u64>>,
 }
 
@@ -131,9 +131,8 @@ pub fn mistake_table() -> &'static MistakeTable<'static> {
     })
 }
 
-/// Each mistake with its row of the table that is checked in. Only their order says which row
-/// belongs to which mistake, since a key needs the files of the steps. A test of xtask compares the
-/// keys.
+/// Pairs each mistake with its row of the checked-in table. Only the order says which mistake a row
+/// belongs to: comparing keys would require the files of the steps. A test in xtask compares them.
 ///
 /// # Panics
 ///
@@ -148,21 +147,21 @@ pub fn mistakes_with_rows() -> impl Iterator<Item = (&'static Mistake, &'static 
     mistakes.iter().zip(rows)
 }
 
-/// The names and hashes of the right pictures.
+/// Returns the names and hashes of the right pictures.
 pub fn hashes_of_right_pictures() -> impl Iterator<Item = (&'static str, u64)> {
     mistake_table().right_pictures.iter().map(|picture| (picture.name, picture.hash))
 }
 
-/// The hash of a picture: FNV-1a with 64 bits, of the columns, the rows and all bytes.
+/// Hashes a picture: 64-bit FNV-1a of the number of columns, the number of rows and all bytes.
 pub fn hash_picture(picture: &RgbImage) -> u64 {
     let (columns, rows) = picture.dimensions();
     let size = [columns, rows].into_iter().flat_map(u32::to_le_bytes);
     fnv_1a(size.chain(picture.as_raw().iter().copied()))
 }
 
-/// The mistakes that give the picture with this hash. Each comes with the name of the picture that
-/// should have been drawn, once for each name. The likeliest come first: those that the book shows,
-/// then those that change little.
+/// Finds the mistakes that produce the picture with this hash. Each comes with the name of the
+/// picture that should have been drawn, and occurs once for each such name. The likeliest come
+/// first: those that the book shows, then those that change the least code.
 pub fn find_mistakes_with_hash(hash: u64) -> Vec<(&'static Mistake, &'static str)> {
     let mut mistakes_and_names: Vec<_> = mistakes_with_rows()
         .flat_map(|(mistake, row)| {
@@ -178,7 +177,7 @@ pub fn find_mistakes_with_hash(hash: u64) -> Vec<(&'static Mistake, &'static str
     mistakes_and_names
 }
 
-/// The names of all pictures to compare with: those of the steps, then those of the examples in the
+/// Returns the names of all locked pictures: those of the steps, then those of the examples in the
 /// order of their steps.
 pub fn names_of_right_pictures() -> Vec<&'static str> {
     hashes_of_right_pictures().map(|(name, _)| name).collect()
@@ -187,19 +186,19 @@ pub fn names_of_right_pictures() -> Vec<&'static str> {
 /// The columns and rows of a small picture.
 pub const SMALL_SIZE: [u32; 2] = [320, 180];
 
-/// Makes the small picture of a picture.
+/// Scales a picture down to a small picture.
 pub fn make_small_picture(picture: &RgbImage) -> RgbImage {
     let [columns, rows] = SMALL_SIZE;
     thumbnail(picture, columns, rows)
 }
 
-/// The file with the small pictures of a step.
+/// Returns the path of the file with the small pictures for a step.
 pub fn small_pictures_path(workspace: &Path, step: Step) -> PathBuf {
     workspace.join(format!("book/crates/course/mistakes/{}.png", step.name()))
 }
 
-/// Reads the small pictures of a step that are checked in, each with its name in the table. If the
-/// file has fewer pictures than the table has names, the last names are missing.
+/// Reads the checked-in small pictures for a step, each with its name in the table. If the file has
+/// fewer pictures than the table has names, the last names are left out.
 pub fn read_small_pictures(
     workspace: &Path,
     step: Step,

@@ -5,7 +5,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 use thiserror::Error;
 
-/// Why something wasn't regenerated. The message is for whoever has run the command.
+/// Why something wasn't regenerated. The message is for whoever ran the command.
 #[derive(Debug, Error)]
 pub enum XtaskError {
     #[error("cargo xtask takes no arguments, and got {0}")]
@@ -26,11 +26,11 @@ pub enum XtaskError {
     Program { program: &'static str, source: io::Error },
 }
 
-/// The result of something that `cargo xtask` does.
+/// A result whose error is an [`XtaskError`].
 pub type XtaskResult<T> = Result<T, XtaskError>;
 
 impl XtaskError {
-    /// Adds the path of the file or folder to an error of the system.
+    /// Returns a function that adds the path of the file or folder to an I/O error.
     pub fn of_file(path: &Path) -> impl FnOnce(io::Error) -> Self {
         move |source| Self::File { path: path.to_owned(), source }
     }

@@ -1,5 +1,5 @@
-//! Regenerates the files that are made from the code and checked in: the table and the small
-//! pictures of the mistakes, and the modules of the book's pages.
+//! Regenerates the checked-in files that are made from the code: the table and the small pictures
+//! of the mistakes, and the WebAssembly modules for the book's pages.
 
 mod error;
 mod mistake_program;
@@ -23,7 +23,7 @@ fn main() -> ExitCode {
     ExitCode::FAILURE
 }
 
-/// Draws the mistakes whose code or right picture has changed, and compiles the modules of the
+/// Draws the mistakes whose code or right pictures have changed, and compiles the modules for the
 /// book's pages if their sources have changed.
 fn regenerate() -> XtaskResult<()> {
     if let Some(argument) = env::args_os().nth(1) {

@@ -1,5 +1,6 @@
-//! A program that draws many mistakes. Each mistake is a module with a copy of its step and of the
-//! later ones, with the mistake in it. The earlier steps are those of the course.
+//! Generates a program that draws many mistakes, and runs it. In the program, each mistake is a
+//! module that contains a copy of its step, with the mistake in it, and of all later steps. Earlier
+//! steps are the course's own crates.
 
 use crate::error::{XtaskError, XtaskResult};
 use course::{Mistake, Step, cargo_command, crate_as_module, target_folder, workspace};
@@ -7,11 +8,12 @@ use image::RgbImage;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// The pictures that a mistake may change, each with its step. A picture is None if the program
+/// The pictures that a mistake may change, each with its step. A picture is None if drawing it
 /// panics.
 pub type DrawnPictures = Vec<(Step, Option<RgbImage>)>;
 
-/// The manifest of the program, up to the steps. The course's Cargo.lock decides on the versions.
+/// The start of the program's manifest. The steps follow as dependencies. A copy of the course's
+/// Cargo.lock decides on the versions.
 const MANIFEST: &str = r#"
 workspace = {}
 package = { name = "mistakes", edition = "2024" }
@@ -24,7 +26,7 @@ image = { version = "*", default-features = false }
 rayon = "*"
 "#;
 
-/// The main file of the program, up to its modules and the list of what it draws.
+/// The start of the program's main file. The modules and the list of pictures to draw follow.
 const MAIN: &str = "#![allow(warnings)]
 use rayon::prelude::*;
 
@@ -34,7 +36,7 @@ fn main() {
 }
 ";
 
-/// Draws mistakes in one program, and returns the pictures of each.
+/// Draws mistakes with a single program, and returns the pictures of each.
 pub fn draw_mistakes(mistakes: &[&Mistake]) -> XtaskResult<Vec<DrawnPictures>> {
     let folder = package_folder();
     let _ = fs::remove_dir_all(folder.join("src"));
@@ -55,7 +57,7 @@ pub fn draw_mistakes(mistakes: &[&Mistake]) -> XtaskResult<Vec<DrawnPictures>> {
     Ok(mistakes.map(|(k, one)| one.affected_steps().map(|step| read(k, step)).collect()).collect())
 }
 
-/// The text of a mistake's file with the mistake in it, without indentation.
+/// Returns the text of a mistake's file with the mistake in it, without indentation.
 pub fn text_with_mistake(mistake: &Mistake) -> XtaskResult<String> {
     let text = read_text(&workspace().join(&mistake.file))?;
     mistake.apply_and_unindent(&text).map_err(|count| {
@@ -72,7 +74,7 @@ fn write_text(path: &Path, text: &str) -> XtaskResult<()> {
     fs::write(path, text).map_err(XtaskError::of_file(path))
 }
 
-/// The title and the file of a mistake.
+/// Returns the title of a mistake, and its file in parentheses.
 pub fn title_and_file(mistake: &Mistake) -> String {
     format!("{} ({})", mistake.title, mistake.file)
 }
@@ -81,12 +83,13 @@ fn package_folder() -> PathBuf {
     target_folder().join("mistakes")
 }
 
-/// The name under which the program saves the picture of a step with the mistake of this index.
+/// The path, without an extension, where the program saves the picture of a step with mistake `k`.
 fn picture_name(k: usize, step: Step) -> String {
     format!("src/m{k}/{}", step.name())
 }
 
-/// Writes the package of the program: its manifest, a module for each mistake, and its main file.
+/// Writes the package of the program: its manifest and lock file, a module for each mistake, and
+/// the main file.
 fn write_package(mistakes: &[&Mistake]) -> XtaskResult<()> {
     let (folder, mut manifest) = (package_folder(), MANIFEST.to_owned());
     for step in Step::NAMES {
@@ -110,7 +113,7 @@ fn write_package(mistakes: &[&Mistake]) -> XtaskResult<()> {
     write_text(&folder.join("Cargo.lock"), &read_text(&workspace().join("Cargo.lock"))?)
 }
 
-/// Writes the library of a step with the mistake in it, as a part of `module`.
+/// Writes the library of a step, with the mistake if that is in this step, as a part of `module`.
 fn write_step(source: &Path, mistake: &Mistake, step: &str, module: &str) -> XtaskResult<()> {
     let folder = source.join(module).join(step);
     fs::create_dir_all(&folder).map_err(XtaskError::of_file(&folder))?;

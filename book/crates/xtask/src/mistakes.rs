@@ -1,4 +1,4 @@
-//! Draws mistakes, for the table and for the small pictures that the book shows.
+//! Draws mistakes for the table, and for the small pictures that the book shows.
 
 use crate::error::{XtaskError, XtaskResult};
 use crate::mistake_program::{self, DrawnPictures, text_with_mistake, title_and_file};
@@ -13,12 +13,12 @@ use image::imageops::replace;
 use std::collections::HashMap;
 use std::fs;
 
-/// The most mistakes in one program. More would take the compiler too much memory. The results are
-/// written after each program, so that a command that was stopped goes on from there.
+/// The maximum number of mistakes in one program. More would take the compiler too much memory. The
+/// results are written after each program, so that an interrupted command can resume from there.
 const BATCH_SIZE: usize = 60;
 
-/// The mistakes, and what is known of their pictures: the rows of the table by their keys, and the
-/// small pictures by their names.
+/// The mistakes, and what is known about their pictures: the rows of the table by their keys, and
+/// the small pictures by their names.
 pub struct Table {
     /// The names and hashes of the right pictures.
     right: Vec<(&'static str, u64)>,
@@ -28,7 +28,7 @@ pub struct Table {
     small_pictures: HashMap<&'static str, RgbImage>,
 }
 
-/// Draws the mistakes that aren't in the table.
+/// Draws the mistakes that have no row in the table, or lack a small picture.
 pub fn draw_new_mistakes() -> XtaskResult<()> {
     let mut table = Table::read()?;
     let new: Vec<_> = table.new_mistakes().copied().collect();
@@ -46,8 +46,8 @@ pub fn draw_new_mistakes() -> XtaskResult<()> {
     table.write()
 }
 
-/// A hash of everything that determines a mistake's pictures: its code, the right pictures, and the
-/// names and steps of the pictures that the book shows.
+/// Hashes everything that determines a mistake's pictures: the code of its file, the right
+/// pictures, and the names and steps of the pictures that the book shows.
 pub fn mistake_key(mistake: &Mistake, right: &[(&str, u64)]) -> XtaskResult<u32> {
     let steps: Vec<_> = mistake.affected_steps().map(Step::name).collect();
     let right = right.iter().filter(|(name, _)| steps.contains(name));
@@ -59,7 +59,7 @@ pub fn mistake_key(mistake: &Mistake, right: &[(&str, u64)]) -> XtaskResult<u32>
 }
 
 impl Table {
-    /// Reads the list, the right pictures, and what is checked in.
+    /// Reads the list of mistakes, the right pictures, and the checked-in table and small pictures.
     pub fn read() -> XtaskResult<Self> {
         let (mut right, mut all) = (vec![], vec![]);
         for (name, _) in PICTURES {
@@ -76,7 +76,7 @@ impl Table {
         Ok(Self { right, all, rows, small_pictures })
     }
 
-    /// The mistakes that haven't been drawn with the present code and right pictures.
+    /// The mistakes that haven't been drawn with the current code and right pictures.
     pub fn new_mistakes(&self) -> impl Iterator<Item = &(u32, &'static Mistake)> {
         self.all.iter().filter(|(key, mistake)| {
             let has_picture =
@@ -111,7 +111,7 @@ impl Table {
         shown.filter_map(|one| Some((one.name, self.small_pictures.get(one.name)?))).collect()
     }
 
-    /// The text of the table.
+    /// Formats the table.
     pub fn text(&self) -> String {
         let right_pictures = self.right.iter().map(|(name, hash)| {
             let pictures = Step::from_name(name).map(|step| self.step_pictures(step));

@@ -1,6 +1,6 @@
-//! The modules of the book's pages. Each is the package `page`, compiled for the browser with one of
-//! its features. They are checked in, so that nobody needs a second target to build the book.
-//! modules.txt has a hash of their sources, and the version of the compiler.
+//! The WebAssembly modules for the book's pages. Each is the package `page`, compiled with one of
+//! its features. They are checked in, so that nobody needs a second compilation target to build the
+//! book. modules.txt has a hash of their sources, and the version of the compiler.
 
 use crate::error::{XtaskError, XtaskResult};
 use crate::source_hash::source_hash;
@@ -62,9 +62,9 @@ fn compile(name: &'static str) -> XtaskResult<Vec<u8>> {
     fs::read(&path).map_err(XtaskError::of_file(&path))
 }
 
-/// The first of this machine's folders whose path is in the module: the workspace, the target
-/// folder, or Cargo's home. A module that contains one would differ from machine to machine.
-/// The paths of the standard library's own sources may stay, since they come with the compiler.
+/// Finds a folder of this machine whose path is in the module: the workspace, the target folder, or
+/// Cargo's home. With such a path, the module would differ from machine to machine. The paths of
+/// the standard library's sources may stay, since they come with the compiler.
 fn find_local_folder(module: &[u8]) -> Option<PathBuf> {
     let folders = [workspace(), target_folder(), cargo_home()];
     folders.into_iter().find(|folder| {
@@ -82,7 +82,7 @@ fn cargo_home() -> PathBuf {
     home.unwrap_or_else(|| env::home_dir().unwrap_or_default().join(".cargo"))
 }
 
-/// The folders in which Cargo keeps the sources of packages, one for each registry.
+/// Returns the folders in which Cargo keeps the sources of packages, one for each registry.
 fn registry_source_folders() -> Vec<PathBuf> {
     let folders = fs::read_dir(cargo_home().join("registry/src"));
     folders.into_iter().flatten().flatten().map(|folder| folder.path()).collect()

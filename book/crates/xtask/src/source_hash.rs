@@ -1,25 +1,24 @@
-//! Hashes of source code. Comments, documentation, blank lines and indentation don't count, unless
-//! a page shows them.
+//! Hashes source code. Comments, documentation, blank lines and indentation don't count, except in
+//! files that a page shows.
 
 use crate::error::{XtaskError, XtaskResult};
 use course::{fnv_1a, workspace};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// The folders with the sources of the modules.
+/// The folders that contain the modules' sources.
 const FOLDERS: [&str; 5] =
     ["steps", "book/crates/check", "book/crates/course", "book/crates/figures", "book/crates/page"];
 
-/// Files and folders in them that are not sources: the hash, the list of mistakes, which a page
-/// loads separately, and tests.
+/// Files and folders in them to leave out: the file with the hash, the list of mistakes, which a
+/// page loads separately, tests and benchmarks.
 const NO_SOURCES: [&str; 4] = ["modules.txt", "mistakes", "tests", "benches"];
 
-/// Sources that a page shows, so that readers may copy them. Their comments and their indentation
-/// count, too.
+/// Sources that a page shows for readers to copy. In these, comments and indentation count, too.
 const SHOWN: [&str; 3] =
     ["examples/own_scene.rs", "examples/look_at.rs", "course/src/scene_program.rs"];
 
-/// The hash of all sources of the modules, manifests included.
+/// Hashes all sources of the modules, including manifests.
 pub fn source_hash() -> XtaskResult<String> {
     let mut files = ["Cargo.toml", "Cargo.lock"].map(|file| workspace().join(file)).to_vec();
     for folder in FOLDERS {
@@ -35,12 +34,12 @@ pub fn source_hash() -> XtaskResult<String> {
     Ok(format!("{:016x}", hash_texts(texts?)))
 }
 
-/// The hash of several texts.
+/// Hashes several texts, and where each of them ends.
 pub fn hash_texts(texts: impl IntoIterator<Item = String>) -> u64 {
     fnv_1a(texts.into_iter().flat_map(|text| text.into_bytes().into_iter().chain([0])))
 }
 
-/// The code without blank lines, comments and indentation.
+/// Returns the code without blank lines, lines of comments, and indentation.
 pub fn code_lines(code: &str) -> String {
     let lines = code.lines().map(str::trim);
     let lines = lines.filter(|line| !line.is_empty() && !line.starts_with("//"));

@@ -1,4 +1,4 @@
-//! The files that are made from the code and checked in are up to date.
+//! Tests that the checked-in files are up to date with the code that they are made from.
 
 use crate::mistake_program::title_and_file;
 use crate::mistakes::{Table, mistake_key};
@@ -14,7 +14,7 @@ fn modules_are_made_from_the_code_of_today() {
     let is_stale = modules::are_stale().expect("the sources can be read");
     assert!(!is_stale || !is_ci(), "{note}");
     if is_stale {
-        // Unlike println, this is shown even if the test passes.
+        // Unlike the output of println!, this is shown even if the test passes.
         let _ = writeln!(stderr(), "\nNote: {note}");
     }
 }

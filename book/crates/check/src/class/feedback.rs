@@ -1,4 +1,4 @@
-//! The verdict on a file that was handed in, and the sentence that helps its student most.
+//! The verdict on a file that was handed in, and the sentence that helps the student most.
 
 use crate::answer::Cause;
 use crate::class::student::PictureReport;
@@ -9,7 +9,7 @@ use crate::{Answer, CheckError, Verdict};
 pub(crate) enum FileVerdict {
     /// The file was compared with a right picture.
     Compared(Verdict),
-    /// The file can't be read, or is no picture.
+    /// The file can't be read, or isn't a picture.
     Unreadable,
 }
 
@@ -23,23 +23,24 @@ impl FileVerdict {
     }
 }
 
-/// A verdict, and a sentence about it.
+/// A verdict, with a sentence about it.
 pub(crate) struct Feedback {
     pub verdict: FileVerdict,
-    /// Empty if all is right.
+    /// Empty if the picture is right and there is nothing unusual about the file.
     pub sentence: String,
-    /// Everything we know of that gives the picture.
+    /// All changes we know of that reproduce the picture.
     pub causes: Vec<Cause>,
 }
 
 impl Feedback {
-    /// Whether the file deserves the point of its picture.
+    /// Whether the file earns the point for its picture.
     pub fn earns_point(&self) -> bool {
         matches!(self.verdict, FileVerdict::Compared(Verdict::Right | Verdict::OtherOptions))
     }
 }
 
-/// The feedback on a file of a student. In the table it comes below the `earlier` pictures.
+/// Judges a student's file. `earlier` are the pictures above it in the table: if one of them has a
+/// cause in common with this file, the sentence says so.
 pub(crate) fn judge(result: &Result<Answer, CheckError>, earlier: &[PictureReport]) -> Feedback {
     let feedback = match result {
         Err(error) => Feedback {
@@ -63,9 +64,9 @@ pub(crate) fn judge(result: &Result<Answer, CheckError>, earlier: &[PictureRepor
     }
 }
 
-/// The feedback on a picture that other options give. It gets no point if a listed mistake gives
-/// the same picture, as the tangent of θ in place of θ/2 is like `--fov 120`, nor if it has one
-/// colour, which many options and mistakes give.
+/// Judges a picture that a right program draws with other options. It earns no point if a listed
+/// mistake produces the same picture, as tan θ in place of tan(θ/2) looks like `--fov 120`. Nor
+/// does a picture of one colour, which many options and mistakes produce.
 fn judge_options(answer: &Answer) -> Feedback {
     let doubts = &answer.option_doubts;
     let causes: Vec<_> = doubts.mistakes.iter().map(|mistake| Cause::Mistake(mistake)).collect();
@@ -80,7 +81,8 @@ fn judge_options(answer: &Answer) -> Feedback {
     Feedback { verdict: FileVerdict::Compared(verdict), sentence, causes }
 }
 
-/// The first of the causes that also gives an earlier picture, and the name of that picture.
+/// Finds the first earlier picture that one of the causes also produces. Returns that cause and the
+/// name of the picture.
 fn find_shared_cause<'a>(
     causes: &'a [Cause],
     earlier: &[PictureReport],

@@ -1,5 +1,5 @@
-//! The folders of a class, and the files in a student's folder. Links aren't followed, and there
-//! are limits to how many entries are read, and how deep.
+//! Finds the students' folders in a class's folder, and the files in a student's folder. Links
+//! aren't followed, and both the number of entries and the depth are limited.
 
 use crate::class::not_looked_at::{NotLookedAt, SkipReason};
 use crate::escape_for_terminal;
@@ -9,36 +9,37 @@ use std::fs::{self, DirEntry};
 use std::path::{Path, PathBuf};
 use thiserror::Error;
 
-/// The most entries of a class's folder, and the most of a student's folder with all below it.
+/// The maximum number of entries in a class's folder, and in a student's folder together with its
+/// subfolders.
 pub(crate) const MOST_ENTRIES: usize = 10_000;
 
-/// How deep folders may be nested, counting the student's own.
+/// The maximum depth of nested folders, counting the student's own.
 const MOST_FOLDERS: usize = 8;
 
-/// Folders that Git and Cargo fill. There is nothing to look at in them.
+/// Folders that Git and Cargo fill. They contain nothing that was handed in on purpose.
 const TOOL_FOLDERS: [&str; 2] = [".git", "target"];
 
-/// The extensions of files that may be meant as a picture.
+/// The extensions of files that may have been meant as pictures.
 const PICTURE_EXTENSIONS: [&str; 14] = [
     "png", "jpg", "jpeg", "jfif", "webp", "gif", "bmp", "ppm", "tif", "tiff", "heic", "avif",
     "svg", "pdf",
 ];
 
-/// Why there is nothing to report on. The paths are escaped for a terminal.
+/// Why a folder can't be reported on. The paths are escaped for a terminal.
 #[derive(Debug, Error)]
 pub enum FolderError {
-    /// The path is no folder, or one that the system refuses to read.
+    /// The path isn't a folder, or the system can't read it.
     #[error("{0} is not a folder that can be read")]
     Unreadable(String),
-    /// The folder has more entries than are read.
+    /// The folder has too many entries.
     #[error("{0} has more than {MOST_ENTRIES} entries")]
     TooManyEntries(String),
-    /// The folder of a class has no folders.
+    /// The class's folder contains no folders.
     #[error("{folder} has no folders, one for each student{}", with_semicolon(.not_looked_at))]
     NoStudents {
-        /// The folder of the class.
+        /// The class's folder.
         folder: String,
-        /// A clause that names what is there, if anything is.
+        /// A clause that lists what is there instead, if anything.
         not_looked_at: Option<String>,
     },
 }
@@ -47,10 +48,10 @@ fn with_semicolon(clause: &Option<String>) -> String {
     clause.as_ref().map(|clause| format!("; {clause}")).unwrap_or_default()
 }
 
-/// The folder of a class.
+/// A class's folder.
 pub(crate) struct ClassFolder {
     pub students: Vec<StudentFolder>,
-    /// What lies beside the students' folders.
+    /// What else is in the class's folder.
     pub not_looked_at: NotLookedAt,
 }
 
@@ -60,10 +61,10 @@ pub(crate) struct StudentFolder {
     pub path: PathBuf,
 }
 
-/// What is in a student's folder.
+/// The contents of a student's folder.
 #[derive(Default)]
 pub(crate) struct Contents {
-    /// The files in it and below, those with fewest folders around them first.
+    /// The files in the folder and its subfolders, the least deeply nested first.
     pub files: Vec<FoundFile>,
     pub not_looked_at: NotLookedAt,
 }
@@ -71,24 +72,24 @@ pub(crate) struct Contents {
 /// A file in a student's folder.
 pub(crate) struct FoundFile {
     pub path: PathBuf,
-    /// The path from the student's folder, as a table shows it.
+    /// The path relative to the student's folder, escaped for a terminal.
     pub printable_path: String,
 }
 
 impl FoundFile {
-    /// The name of the file, as a table shows it.
+    /// The file name, escaped for a terminal.
     pub fn printable_name(&self) -> &str {
         self.printable_path.rsplit('/').next().unwrap_or_default()
     }
 
-    /// Whether the extension is one of a file that may be meant as a picture.
+    /// Whether the extension suggests that the file was meant as a picture.
     pub fn may_be_picture(&self) -> bool {
         let extension = self.path.extension().unwrap_or_default().to_string_lossy().to_lowercase();
         PICTURE_EXTENSIONS.contains(&&*extension)
     }
 }
 
-/// Reads the folder of a class, in which each folder is a student's.
+/// Reads a class's folder, in which every folder is a student's.
 pub(crate) fn read_class_folder(folder: &Path) -> Result<ClassFolder, FolderError> {
     let mut class = ClassFolder { students: vec![], not_looked_at: NotLookedAt::default() };
     for entry in read_top_folder(folder)? {
@@ -109,7 +110,7 @@ pub(crate) fn read_class_folder(folder: &Path) -> Result<ClassFolder, FolderErro
     Ok(class)
 }
 
-/// Finds somebody's own pictures in a folder, but not in folders inside it.
+/// Finds a reader's own pictures in a folder, but not in its subfolders.
 pub(crate) fn find_own_pictures(folder: &Path) -> Result<Contents, FolderError> {
     let mut contents = Contents::default();
     for entry in read_top_folder(folder)? {
@@ -122,17 +123,18 @@ pub(crate) fn find_own_pictures(folder: &Path) -> Result<Contents, FolderError> 
     Ok(contents)
 }
 
-/// A folder that is still to be read.
+/// A folder that hasn't been read yet.
 struct UnreadFolder {
     path: PathBuf,
-    /// The path from the student's folder with a `/` at its end, or nothing for that folder itself.
+    /// The path relative to the student's folder, ending in `/`. It is empty for that folder
+    /// itself.
     printable_path: String,
-    /// How many folders its files are in, counting the student's own.
+    /// The depth of nesting, which is 1 for the student's own folder.
     depth: usize,
 }
 
-/// Finds the files in a student's folder and below. It searches breadth first, so that the limit
-/// cuts off what is deepest.
+/// Finds the files in a student's folder and its subfolders. The search is breadth-first, so that
+/// the limit on entries cuts off the most deeply nested ones.
 pub(crate) fn find_files(student: &StudentFolder) -> Contents {
     let Contents { mut files, mut not_looked_at } = Contents::default();
     let mut entries_left = MOST_ENTRIES;
@@ -176,7 +178,7 @@ pub(crate) fn find_files(student: &StudentFolder) -> Contents {
     Contents { files, not_looked_at }
 }
 
-/// The entries of a folder that is named on the command line.
+/// Reads the entries of a folder that was given on the command line.
 fn read_top_folder(folder: &Path) -> Result<Vec<DirEntry>, FolderError> {
     let printable = printable_name(folder.as_os_str());
     read_entries(folder, MOST_ENTRIES).map_err(|reason| match reason {
@@ -185,8 +187,8 @@ fn read_top_folder(folder: &Path) -> Result<Vec<DirEntry>, FolderError> {
     })
 }
 
-/// The entries of a folder, sorted by name. If there are more than `most`, none are read, since the
-/// file system would decide which.
+/// Reads the entries of a folder, sorted by name. If there are more than `most`, returns an error:
+/// the first ones would be an arbitrary choice, since the file system decides on the order.
 fn read_entries(folder: &Path, most: usize) -> Result<Vec<DirEntry>, SkipReason> {
     let entries = fs::read_dir(folder).map_err(|_| SkipReason::Unreadable)?;
     let entries: Result<Vec<_>, _> = entries.take(most + 1).collect();
@@ -198,8 +200,8 @@ fn read_entries(folder: &Path, most: usize) -> Result<Vec<DirEntry>, SkipReason>
     Ok(entries)
 }
 
-/// A name as a table or a message shows it, with escapes for bytes that aren't UTF-8 and for
-/// characters that a terminal obeys.
+/// Formats a name for a table or a message. Bytes that aren't UTF-8 and characters that a terminal
+/// would obey are escaped.
 pub(crate) fn printable_name(name: &OsStr) -> String {
     let mut printable = String::new();
     for chunk in name.as_encoded_bytes().utf8_chunks() {

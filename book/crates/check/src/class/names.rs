@@ -1,4 +1,4 @@
-//! A class's list of names, and which folders have them.
+//! A class's list of names, and which of them are the names of folders.
 
 use crate::class::folder::{MOST_ENTRIES, StudentFolder, printable_name};
 use crate::class::student::Note;
@@ -14,18 +14,18 @@ pub enum NamesError {
     /// The file can't be read.
     #[error(transparent)]
     Read(#[from] ReadFileError),
-    /// The file has some other encoding.
+    /// The file has a different encoding.
     #[error("{0} is not in UTF-8")]
     NotUtf8(String),
-    /// The file has only empty lines.
+    /// The file has nothing but blank lines.
     #[error("{0} has no names, one a line")]
     Empty(String),
-    /// The file has more names than a class has folders.
+    /// The file has more names than a class may have folders.
     #[error("{0} has more than {MOST_ENTRIES} names")]
     TooMany(String),
 }
 
-/// Reads the names in a list, one a line.
+/// Reads a list of names, one per line.
 pub fn read_names(list: &Path) -> Result<Vec<String>, NamesError> {
     let printable = printable_name(list.as_os_str());
     let Ok(text) = String::from_utf8(read_bounded_file(list)?) else {
@@ -40,18 +40,18 @@ pub fn read_names(list: &Path) -> Result<Vec<String>, NamesError> {
     }
 }
 
-/// The name with each letter as one character (NFC). In the name of a file, macOS writes an "ü" as
-/// two.
+/// Converts a name to NFC, in which each letter is one character. macOS splits the "ü" in a file
+/// name into two: "u" and a diaeresis.
 pub fn normalize_name(name: &str) -> String {
     name.nfc().collect()
 }
 
-/// The name of a student's folder, normalized. Returns None if it isn't UTF-8.
+/// Returns the normalized name of a student's folder, or None if it isn't UTF-8.
 fn normalized_folder_name(student: &StudentFolder) -> Option<String> {
     student.name.to_str().map(normalize_name)
 }
 
-/// The names that several folders have in different Unicode forms.
+/// The names that several folders share, each in a different Unicode form.
 pub(crate) struct DuplicateNames(HashSet<String>);
 
 impl DuplicateNames {
@@ -67,7 +67,7 @@ impl DuplicateNames {
     }
 }
 
-/// A list of names, and whether there is a folder for each.
+/// A list of names, and whether each has a folder.
 pub(crate) struct NamedFolders<'a> {
     names: &'a [String],
     has_folder: HashMap<&'a str, bool>,
@@ -84,7 +84,7 @@ impl<'a> NamedFolders<'a> {
         Self { names, has_folder }
     }
 
-    /// A note if the name of this folder isn't in the list.
+    /// Returns a note if this folder's name isn't in the list.
     pub fn note(&self, student: &StudentFolder) -> Option<Note> {
         let name = normalized_folder_name(student);
         let is_listed = name.is_some_and(|name| self.has_folder.contains_key(&*name));

@@ -1,30 +1,30 @@
-//! Files and folders that aren't looked at, and why.
+//! Records which files and folders were skipped, and why.
 
 use std::fmt::{self, Display, Formatter};
 
-/// The most names in JSON, and the most in a clause.
+/// The maximum number of skipped paths listed in JSON, and in a clause.
 const MOST_LISTED: usize = 100;
 const MOST_IN_CLAUSE: usize = 8;
 
-/// Everything that isn't looked at: its first items, and how many there are.
+/// Everything that was skipped: the first items, and how many there are in all.
 #[derive(Default)]
 pub(crate) struct NotLookedAt {
     pub first: Vec<Skipped>,
     pub count: usize,
 }
 
-/// Something that isn't looked at.
+/// A file or folder that was skipped.
 pub(crate) struct Skipped {
     pub printable_path: String,
     pub reason: SkipReason,
 }
 
-/// Why something isn't looked at.
+/// Why a file or folder was skipped.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum SkipReason {
-    /// The file's name is not the name of a picture.
+    /// The file isn't named after a picture.
     OtherName,
-    /// The file is beside the students' folders, not in one.
+    /// The file is next to the students' folders, not in one.
     BesideFolders,
     Link,
     ToolFolder,
@@ -46,8 +46,8 @@ impl NotLookedAt {
         self.count == 0
     }
 
-    /// A clause with the first names, and how many more there are. Names with a reason come first.
-    /// Returns None if everything was looked at.
+    /// Returns a clause listing the first few skipped paths, then how many more there are. Files
+    /// that aren't named after a picture come last. Returns None if nothing was skipped.
     pub fn clause(&self) -> Option<String> {
         let mut sorted: Vec<_> = self.first.iter().collect();
         sorted.sort_by_key(|one| one.reason == SkipReason::OtherName);

@@ -1,5 +1,5 @@
-//! The report on a class and the report on somebody's own pictures, each as a table and as JSON.
-//! The report on a class is also available as CSV for a spreadsheet.
+//! The report on a class and the report on a reader's own pictures, each as a table and as JSON.
+//! The report on a class can also be CSV, for a spreadsheet.
 
 use crate::Verdict;
 use crate::class::feedback::FileVerdict;
@@ -8,24 +8,25 @@ use crate::class::student::{FileReport, Note, PictureReport, StudentReport};
 use crate::class::table::align;
 use course::json;
 
-/// The verdict on a picture without a file.
+/// The verdict on a picture that has no file.
 const MISSING: &str = "missing";
 
 /// The report on a class.
 pub struct ClassReport {
     pub(crate) students: Vec<StudentReport>,
-    /// What is beside the students' folders.
+    /// What else is in the class's folder.
     pub(crate) not_looked_at: NotLookedAt,
 }
 
-/// The report on somebody's own pictures.
+/// The report on a reader's own pictures.
 pub struct OwnReport {
     pub(crate) own: StudentReport,
 }
 
 impl ClassReport {
-    /// The exit code of the program: 2 if something is missing, unreadable or not looked at; else 1
-    /// if a picture that counts has no point; else 0.
+    /// The program's exit code: 2 if something is missing, unreadable or skipped, or if there is a
+    /// note on a student; otherwise 1 if a picture that counts hasn't earned its point; otherwise
+    /// 0.
     pub fn exit_code(&self) -> u8 {
         if !self.not_looked_at.is_empty() || self.students.iter().any(needs_a_person) {
             2
@@ -34,7 +35,8 @@ impl ClassReport {
         }
     }
 
-    /// The report for a terminal: a row for each student, followed by a row for each picture.
+    /// Formats the report for a terminal: a row for each student, followed by a row for each of the
+    /// student's files and missing pictures.
     pub fn to_table(&self) -> String {
         let head = ["student", "points", "picture", "verdict", "feedback"];
         let mut rows = vec![head.map(str::to_owned).to_vec()];
@@ -52,9 +54,9 @@ impl ClassReport {
         align(&rows) + &beside.unwrap_or_default()
     }
 
-    /// The report for a spreadsheet, which recognises UTF-8 by the mark at the start. The column
-    /// `points` has numbers only in the rows of students and `point` only in those of pictures, so
-    /// that either column can be summed up.
+    /// Formats the report for a spreadsheet, which recognises UTF-8 by the byte order mark at the
+    /// start. The column `points` has numbers only in the rows of students, and `point` only in
+    /// those of pictures, so that each column can be summed.
     pub fn to_csv(&self) -> String {
         let mut rows = vec![];
         for student in &self.students {
@@ -83,7 +85,7 @@ impl ClassReport {
         format!("\u{feff}{head}{}", rows.iter().map(CsvRow::to_line).collect::<String>())
     }
 
-    /// The report as JSON.
+    /// Formats the report as JSON.
     pub fn to_json(&self) -> String {
         let students = self.students.iter().map(|student| {
             format!(
@@ -109,8 +111,8 @@ impl ClassReport {
 }
 
 impl OwnReport {
-    /// The exit code of the program: 2 if there are no pictures, or one is missing or unreadable;
-    /// else 1 if one that counts isn't right; else 0.
+    /// The program's exit code: 2 if there are no pictures, or if one is missing or unreadable;
+    /// otherwise 1 if a picture that counts isn't right; otherwise 0.
     pub fn exit_code(&self) -> u8 {
         if self.own.pictures.is_empty() || has_missing_or_unreadable(&self.own) {
             2
@@ -119,7 +121,7 @@ impl OwnReport {
         }
     }
 
-    /// The report for a terminal: a row for each picture.
+    /// Formats the report for a terminal: a row for each file and each missing picture.
     pub fn to_table(&self) -> String {
         let Self { own } = self;
         let beside = own.not_looked_at.clause();
@@ -136,7 +138,7 @@ impl OwnReport {
         align(&rows) + "\n" + &count + &beside
     }
 
-    /// The report as JSON.
+    /// Formats the report as JSON.
     pub fn to_json(&self) -> String {
         json::object([
             ("pictures", pictures_json(&self.own)),
@@ -152,10 +154,10 @@ impl OwnReport {
     }
 }
 
-/// The row of a file in a table, or of a picture that is missing.
+/// A row in a table, about a file or a missing picture.
 struct PictureRow {
     picture: String,
-    /// 1 or 0 in the first row of a picture that counts, else None.
+    /// 1 or 0 in the first row of a picture that counts, otherwise None.
     point: Option<u8>,
     verdict: String,
     feedback: String,
@@ -165,8 +167,9 @@ struct PictureRow {
 }
 
 impl PictureRow {
-    /// The feedback. The file comes before it if the picture has several, or if the file is in a
-    /// folder of its own, since the student's folder may hold several students.
+    /// The feedback, after the path of the file if the picture has several files. The path is also
+    /// there if the file is in a subfolder, since the folder may really hold the work of several
+    /// students.
     fn feedback_with_file(&self) -> String {
         let file = self.file.as_deref();
         let file = file.filter(|file| self.is_one_of_several || file.contains('/'));
@@ -176,7 +179,7 @@ impl PictureRow {
     }
 }
 
-/// A row for each file of a student's pictures.
+/// Returns a row for each of a student's files and missing pictures.
 fn picture_rows(student: &StudentReport) -> Vec<PictureRow> {
     student.pictures.iter().flat_map(rows_of_picture).collect()
 }
@@ -232,15 +235,15 @@ fn not_looked_at_json(not_looked_at: &NotLookedAt) -> String {
     json::object([("count", not_looked_at.count.to_string()), ("first", json::list(first))])
 }
 
-/// The feedback on a student as a whole.
+/// Returns the notes on a student, and a clause about what was skipped.
 fn student_feedback(student: &StudentReport) -> String {
     let notes = student.notes.iter().map(|note: &Note| note.words());
     let clauses = notes.chain(student.not_looked_at.clause());
     clauses.collect::<Vec<_>>().join("; ")
 }
 
-/// Whether a person should look at a student's folder, since something in it is missing, unreadable
-/// or not looked at, or there is a note on it.
+/// Whether a person should look at a student's folder: something in it is missing, unreadable or
+/// skipped, or there is a note on it.
 fn needs_a_person(student: &StudentReport) -> bool {
     !student.notes.is_empty()
         || !student.not_looked_at.is_empty()
@@ -252,15 +255,15 @@ fn has_missing_or_unreadable(student: &StudentReport) -> bool {
     student.pictures.iter().any(|one| one.files.is_empty() || one.files.iter().any(is_unreadable))
 }
 
-/// A line of CSV.
+/// A row of the CSV.
 #[derive(Default)]
 struct CsvRow {
     student: String,
-    /// The points of a student, and how many there could be.
+    /// A student's points, and the maximum.
     points: Option<usize>,
     most_points: Option<usize>,
     picture: String,
-    /// The point of a picture.
+    /// The point for a picture: 1 or 0.
     point: Option<u8>,
     verdict: String,
     feedback: String,
@@ -284,7 +287,8 @@ impl CsvRow {
     }
 }
 
-/// A cell with text in quotes. If a spreadsheet could take the text for a formula, a `'` comes first.
+/// Formats a cell: the text in quotes, with a `'` in front if a spreadsheet could take it for a
+/// formula.
 fn csv_text_cell(text: &str) -> String {
     let is_invisible = |c: char| {
         c.is_whitespace() || c.is_control() || matches!(c, '\u{200b}'..='\u{200f}' | '\u{feff}')

@@ -1,5 +1,5 @@
-//! The sheet of a name: the numbers of the scene that belongs to it, from which a student writes
-//! the scene in Rust, and problems on paper with these numbers.
+//! The sheet for a name: the numbers of that name's scene, from which a student writes the scene in
+//! Rust, and problems to solve on paper with the same numbers.
 
 use crate::changed_number::{format_quantity, owner_names};
 use crate::class::table::align;
@@ -16,7 +16,7 @@ use std::path::Path;
 use step05_phong::{Ray, Terms};
 use thiserror::Error;
 
-/// The file with all sheets, one on each page, and the file with all answers.
+/// The file with all sheets, one per page, and the file with all answers.
 const SHEETS_FILE: &str = "sheets.html";
 const ANSWERS_FILE: &str = "answers.html";
 
@@ -31,17 +31,17 @@ li { margin: 0.4em 0 }
 /// Why no sheets were written. The names are escaped for a terminal.
 #[derive(Debug, Error)]
 pub enum SheetError {
-    /// The list has a name twice.
+    /// A name is in the list twice.
     #[error("{0} is in the list twice, and each name has one sheet")]
     Twice(String),
-    /// Two names have the same file.
+    /// Two names would have the same file name.
     #[error("the sheets of {first} and {second} would have one file, {file}")]
     SameFile {
         /// The name that comes first in the list.
         first: String,
         /// The other name.
         second: String,
-        /// The name of the file.
+        /// The file name.
         file: String,
     },
     /// The folder can't be written.
@@ -49,33 +49,35 @@ pub enum SheetError {
     Write(#[from] WriteFolderError),
 }
 
-/// What a sheet says.
+/// The contents of a sheet.
 struct Sheet {
     name: String,
-    /// A table for the balls, one for the lights and one for the scene. The first row has the heads.
+    /// A table for the objects, one for the lights and one for the scene. The first row of each has
+    /// the headings.
     tables: Vec<Vec<Vec<String>>>,
     instructions: Vec<String>,
     problems: Vec<String>,
     answers: Vec<String>,
 }
 
-/// A pixel to ask about.
+/// The pixel that a sheet's problems ask about.
 struct ProblemPixel {
     pixel: (u32, u32),
     ray: Ray,
-    /// The hits on all balls that the ray meets, in the order of the scene.
+    /// The first hit on each ball that the ray meets, in the order of the scene.
     balls: Vec<ObjectHit>,
     /// The hit that the pixel shows.
     visible: ObjectHit,
 }
 
-/// The sheet of a name, in Markdown. A secret word chooses a different scene for the name.
+/// Formats the sheet for a name as Markdown. A secret word changes the scene of the name.
 pub fn format_sheet(name: &str, secret: Option<&str>) -> String {
     Sheet::new(name, secret).to_markdown()
 }
 
-/// Writes the sheets of a class into a folder that doesn't exist yet: a file for each name, and one
-/// with all sheets for printing. If one can't be written, none is.
+/// Writes the sheets for a class to a folder that doesn't exist yet: a file for each name, and one
+/// with all sheets for printing. If a file can't be written, none is. Returns lines that list the
+/// files.
 pub fn write_sheets(
     names: &[String],
     secret: Option<&str>,
@@ -87,7 +89,7 @@ pub fn write_sheets(
     let sheets: Vec<_> = names.iter().map(|name| Sheet::new(name, secret)).collect();
     for (name, sheet) in iter::zip(names, &sheets) {
         let file = file_name(name);
-        // Some file systems don't distinguish capitals.
+        // Some file systems ignore case.
         if let Some(other) = names_of_files.insert(file.to_lowercase(), name) {
             let [first, second] = [other, name].map(|name| escape_for_terminal(name));
             return Err(match first == second {
@@ -106,7 +108,8 @@ pub fn write_sheets(
     Ok(write_new_folder(folder, &files)?)
 }
 
-/// The name of a sheet's file, with `_` for characters that file systems refuse or terminals obey.
+/// Returns the file name of a sheet, with `_` in place of characters that file systems reject or
+/// that terminals obey.
 fn file_name(name: &str) -> String {
     let is_refused = |c: char| is_obeyed_by_terminals(c) || "./\\:*?\"<>|".contains(c);
     format!("{}.md", name.replace(is_refused, "_"))
@@ -131,7 +134,8 @@ impl Sheet {
             "Name: ______________________________  Points: _____ of 12".to_owned(),
             "Work with six decimals, and give four.".to_owned(),
         ];
-        // The pixel depends on the numbers, so two spellings with the same scene get the same one.
+        // The pixel is derived from the numbers instead of the name, so that two spellings with the
+        // same scene get the same pixel.
         let pixels_to_skip = fnv_1a(tables.concat().concat().concat().bytes()) % 10_000;
         let pixel = find_problem_pixel(&scene, pixels_to_skip as usize);
         let (problems, answers) = pixel.map(|pixel| pixel.problems(&scene)).unwrap_or_default();
@@ -147,7 +151,7 @@ impl Sheet {
     fn to_markdown(&self) -> String {
         let mut markdown = format!("# The scene of {}\n\n", self.name);
         for table in &self.tables {
-            // Markdown shows indented lines as code.
+            // Indented lines are code in Markdown, so the columns stay aligned.
             let lines = align(table);
             markdown.extend(lines.lines().flat_map(|line| ["    ", line, "\n"]));
             markdown += "\n";
@@ -182,7 +186,8 @@ impl Sheet {
     }
 }
 
-/// A table with all numbers of the objects, the lights or the scene, as they are typed in Rust.
+/// Builds the table of all numbers that belong to the objects, the lights or the scene, as they are
+/// typed in Rust.
 fn number_table(scene: &StepScene, owner: Owner) -> Vec<Vec<String>> {
     let is_seen = |one: &&Quantity| !one.scalars.iter().any(|scalar| scalar.needs_mirrors);
     let quantities = || QUANTITIES.iter().filter(|one| one.owner == owner).filter(is_seen);
@@ -195,9 +200,9 @@ fn number_table(scene: &StepScene, owner: Owner) -> Vec<Vec<String>> {
     iter::once(head.collect()).chain(rows).collect()
 }
 
-/// A pixel that shows a ball in the light of both lights, with a highlight, and has a second ball
-/// behind it. If there is none, one ball is enough, and then one light. Different
-/// numbers of pixels to skip find different ones.
+/// Finds a pixel that shows a ball lit by both lights, with a highlight, and that has a second ball
+/// behind it. If there is none, looks for a single ball, and then for a single light.
+/// `pixels_to_skip` decides which of these pixels is found.
 fn find_problem_pixel(scene: &StepScene, pixels_to_skip: usize) -> Option<ProblemPixel> {
     let find = |ball_count: usize, light_count: usize| {
         let camera = camera();
@@ -213,8 +218,8 @@ fn find_problem_pixel(scene: &StepScene, pixels_to_skip: usize) -> Option<Proble
     find(2, 2).or_else(|| find(1, 2)).or_else(|| find(1, 1))
 }
 
-/// The balls on a ray. Returns None if it shows no ball, or if it nearly touches one, since D loses
-/// digits there.
+/// Finds the balls on a ray. Returns None if the ray doesn't show a ball, or if it grazes one,
+/// since D has fewer significant digits there.
 fn problem_pixel_of_ray(scene: &StepScene, pixel: (u32, u32), ray: Ray) -> Option<ProblemPixel> {
     let objects = &scene.own.scene.objects;
     let is_ball = |hit: &ObjectHit| objects[hit.object].name != "ground";
@@ -228,7 +233,8 @@ fn problem_pixel_of_ray(scene: &StepScene, pixel: (u32, u32), ray: Ray) -> Optio
 }
 
 impl ProblemPixel {
-    /// Whether the first lights are all bright here, and at least one has a highlight.
+    /// Whether each of the first `light_count` lights is bright here, and at least one makes a
+    /// highlight.
     fn is_bright_with_highlight(&self, light_count: usize, scene: &StepScene) -> bool {
         let mut sum = Terms::default();
         for light in &scene.own.scene.lights[..light_count] {
@@ -241,7 +247,7 @@ impl ProblemPixel {
         sum.specular.x > 0.02
     }
 
-    /// The problems, and their answers in the same order.
+    /// Returns the problems, and their answers in the same order.
     fn problems(&self, scene: &StepScene) -> (Vec<String>, Vec<String>) {
         let (objects, lights) = (&scene.own.scene.objects, &scene.own.scene.lights);
         let Self { pixel: (i, j), ray, balls, visible } = self;
@@ -311,7 +317,7 @@ fn join_clauses(clauses: impl Iterator<Item = String>) -> String {
     clauses.collect::<Vec<_>>().join("; ")
 }
 
-/// A page for printing. Its style depends on the kind.
+/// Builds a page for printing. `kind` is its title, and selects its style.
 fn html_page(kind: &str, sections: impl Iterator<Item = String>) -> String {
     let sections: String = sections.map(|html| format!("<section>\n{html}</section>\n")).collect();
     format!(

@@ -1,4 +1,4 @@
-//! The pictures that one student has handed in, compared with those of the course.
+//! Compares the pictures that one student has handed in with those of the course.
 
 use crate::class::feedback::{Feedback, judge};
 use crate::class::folder::{Contents, FoundFile};
@@ -7,27 +7,27 @@ use crate::target::find_name_in_file_name;
 use crate::{Answer, CheckError, check_png, escape_for_terminal, read_bounded_file};
 use course::{names_of_right_pictures, read_locked_picture};
 
-/// The most files of one picture that are looked at.
+/// The maximum number of files that are checked for one picture.
 const MOST_FILES_OF_PICTURE: usize = 8;
 
 /// The report on a student's folder.
 pub(crate) struct StudentReport {
-    /// The folder's name.
+    /// The name of the folder, escaped for a terminal.
     pub name: String,
     pub pictures: Vec<PictureReport>,
     pub notes: Vec<Note>,
     pub not_looked_at: NotLookedAt,
 }
 
-/// The report on one picture of a student.
+/// The report on one of a student's pictures.
 pub(crate) struct PictureReport {
     /// The name of the picture.
     pub picture: &'static str,
-    /// Whether the picture is required. If no picture is, all count.
+    /// Whether the picture counts towards the points. If no picture is required, all count.
     pub counts: bool,
-    /// The files of this name that were looked at. There are none if the picture is missing.
+    /// The files of this name that were checked. There are none if the picture is missing.
     pub files: Vec<FileReport>,
-    /// How many files have this name.
+    /// The number of files of this name, including those that weren't checked.
     pub file_count: usize,
 }
 
@@ -38,7 +38,7 @@ pub(crate) struct FileReport {
     pub feedback: Feedback,
 }
 
-/// Something about a student's folder that a person should know.
+/// A fact about a student's folder that a person should know.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Note {
     NothingHandedIn,
@@ -49,7 +49,7 @@ pub(crate) enum Note {
 }
 
 impl Note {
-    /// The note as a clause.
+    /// The note, worded as a clause.
     pub fn words(self) -> String {
         match self {
             Self::NothingHandedIn => "nothing was handed in".to_owned(),
@@ -64,7 +64,7 @@ impl Note {
 }
 
 impl StudentReport {
-    /// The report on a name without a folder.
+    /// The report on a listed name that no folder has.
     pub fn without_folder(name: &str, required: &[&'static str]) -> Self {
         let missing = |picture: &&'static str| PictureReport {
             picture,
@@ -80,12 +80,12 @@ impl StudentReport {
         }
     }
 
-    /// How many of the pictures that count have their point.
+    /// Points earned: the number of counted pictures that have earned their point.
     pub fn points(&self) -> usize {
         self.counted_pictures().filter(|picture| picture.earns_point()).count()
     }
 
-    /// How many pictures count.
+    /// The maximum number of points: the number of counted pictures.
     pub fn most_points(&self) -> usize {
         self.counted_pictures().count()
     }
@@ -96,14 +96,14 @@ impl StudentReport {
 }
 
 impl PictureReport {
-    /// Whether the picture has its point. Each of its files has to deserve it.
+    /// Whether the picture has earned its point, as every one of its files must.
     pub fn earns_point(&self) -> bool {
         let deserving = self.files.iter().filter(|file| file.feedback.earns_point());
         self.file_count > 0 && deserving.count() == self.file_count
     }
 }
 
-/// Compares all files of a student's folder that have the name of a picture.
+/// Checks all files in a student's folder that are named after a picture.
 pub(crate) fn check_student(
     name: String,
     contents: Contents,
@@ -143,19 +143,19 @@ pub(crate) fn check_student(
     StudentReport { name, pictures, notes, not_looked_at }
 }
 
-/// The picture whose name is in the file's name, if the file may be meant as a picture.
+/// Returns the picture that a file is named after, if the file may have been meant as a picture.
 fn picture_of_file(file: &FoundFile) -> Option<&'static str> {
     let name = file.printable_name();
     find_name_in_file_name(name, names_of_right_pictures().into_iter())
         .filter(|_| file.may_be_picture())
 }
 
-/// Compares a file with the locked picture that it should be.
+/// Compares a file with the locked picture that it should equal.
 fn check_file(file: &FoundFile, picture: &'static str, earlier: &[PictureReport]) -> FileReport {
     let png = read_bounded_file(&file.path).map_err(CheckError::from);
     let result = png
         .and_then(|png| check_png(&png, file.printable_name(), Some(picture), read_locked_picture));
-    // The pictures of a whole class would take too much memory.
+    // Keeping the pictures of a whole class would take too much memory.
     let result = result.map(|answer| Answer { compared: None, ..answer });
     let feedback = judge(&result, earlier);
     FileReport { printable_path: file.printable_path.clone(), result, feedback }

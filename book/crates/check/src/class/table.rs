@@ -1,4 +1,4 @@
-//! Text in columns.
+//! Aligns text in columns.
 
 /// Formats rows in columns, each as wide as its longest cell.
 pub(crate) fn align(rows: &[Vec<String>]) -> String {

@@ -1,4 +1,4 @@
-//! Writes all files of a new folder, or none.
+//! Writes a new folder with all its files, or nothing at all.
 
 use crate::class::folder::printable_name;
 use std::path::Path;
@@ -8,30 +8,30 @@ use thiserror::Error;
 /// Why no folder was written. The paths are escaped for a terminal.
 #[derive(Debug, Error)]
 pub enum WriteFolderError {
-    /// The path has no name at its end, as `..` has none.
+    /// The path, such as `..`, doesn't end in a name.
     #[error("{0} is not the name of a new folder")]
     NoName(String),
-    /// Something has this path already.
+    /// Something already exists at this path.
     #[error("{0} exists already; choose a folder that doesn't")]
     Exists(String),
-    /// The system refused to write.
+    /// The system couldn't write the folder.
     #[error("{folder} can't be written, and no file was: {source}")]
     Io {
         /// The path of the folder.
         folder: String,
-        /// The error of the system.
+        /// The system's error.
         source: io::Error,
     },
 }
 
-/// A file to write, and its text.
+/// The name and the text of a file to write.
 pub(crate) struct NewFile {
     pub name: String,
     pub text: String,
 }
 
-/// Writes files into a folder with a temporary name, and renames it once all are there. Returns
-/// lines that name the files.
+/// Writes files to a folder with a temporary name, which is renamed once all of them are there.
+/// Returns lines that list the files.
 pub(crate) fn write_new_folder(
     folder: &Path,
     files: &[NewFile],
