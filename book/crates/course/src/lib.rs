@@ -15,7 +15,10 @@
 
 mod camera;
 mod step;
-pub use camera::{camera, camera_with_fov, camera_with_size, primary_rays, slide_camera};
+pub use camera::{
+    FOV_DEGREES, PICTURE_COLUMNS, PICTURE_ROWS, camera, camera_with_fov, camera_with_size,
+    primary_rays, slide_camera,
+};
 pub use step::Step;
 
 pub mod examples;

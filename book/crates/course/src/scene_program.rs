@@ -1,7 +1,7 @@
 //! Formats a scene as a Rust program, which the reader saves as an example of step 5. It is the
 //! step's own example `own_scene` with some of its function bodies replaced.
 
-use crate::OwnScene;
+use crate::{FOV_DEGREES, OwnScene};
 use glam::DVec3;
 use std::iter::zip;
 use std::ops::Range;
@@ -56,7 +56,7 @@ fn scene_body(own: &OwnScene) -> String {
 /// The body of `my_camera`, which may set the field of view and move the camera as `look_at` does.
 fn camera_body(own: &OwnScene) -> String {
     let mut body = String::new();
-    if own.fov_degrees != 60.0 {
+    if own.fov_degrees != FOV_DEGREES {
         let fov = format!("f64::to_radians({:?})", own.fov_degrees);
         body = format!("    let camera = &Camera::new(camera.h_res, camera.v_res, {fov});\n");
     }

@@ -2,7 +2,7 @@
 
 use crate::address::{format_address, parse_address, parse_values};
 use crate::{AddressError, Content, Figure, Mark, Parameter, ParameterValues, find_figure};
-use course::json;
+use course::{PICTURE_COLUMNS, json};
 use glam::{DVec2, dvec2};
 use image::{Rgb, RgbImage};
 use std::error::Error;
@@ -10,7 +10,7 @@ use std::fmt::{self, Display, Formatter};
 use std::ops::RangeInclusive;
 
 /// The columns of a picture, unless the request says otherwise.
-pub const COLUMNS: u32 = 640;
+pub const COLUMNS: u32 = PICTURE_COLUMNS;
 
 /// The numbers of columns that a request may ask for.
 const ALLOWED_COLUMNS: RangeInclusive<u32> = 2..=3840;

@@ -2,8 +2,8 @@
 
 use crate::expressions::{Expression, Fault, LineRefusal, draw_edited, parse_expression};
 use course::{
-    Mistake, Place, PlaceNote, all_listed_places, find_mistakes_with_hash, hash_picture,
-    hashes_of_right_pictures, json,
+    Mistake, PICTURE_COLUMNS, Place, PlaceNote, all_listed_places, find_mistakes_with_hash,
+    hash_picture, hashes_of_right_pictures, json,
 };
 use figures::Reply;
 use image::RgbImage;
@@ -13,7 +13,7 @@ use std::ops::{Range, RangeInclusive};
 const COLUMNS: RangeInclusive<u32> = 16..=FULL_SIZE;
 
 /// The width of the book's pictures.
-const FULL_SIZE: u32 = 640;
+const FULL_SIZE: u32 = PICTURE_COLUMNS;
 
 /// The maximum number of operations per picture: 17 for each pixel at full size. They take about
 /// 150 ms in a browser, on top of the book's own code.
