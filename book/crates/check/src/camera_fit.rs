@@ -127,8 +127,10 @@ fn values_from_sky(comparison: &Comparison, scene: &StepScene, number: MatrixNum
     }
     // Each candidate is a start plus a round multiple of a unit. These pairs make it a round
     // number, a round multiple of ours, or ours moved by a round number of pixels.
-    let pixel = if number.column == 2 { matrix.col(number.row)[number.row] } else { ours };
-    let starts_and_units = [(0.0, 1.0), (0.0, ours), (ours, pixel)];
+    // From one pixel to the next, x changes by the x of D_u, and y by the y of D_v.
+    let pixel_steps = [matrix.x_axis.x, matrix.y_axis.y];
+    let pixel_step = if number.column == 2 { pixel_steps[number.row] } else { ours };
+    let starts_and_units = [(0.0, 1.0), (0.0, ours), (ours, pixel_step)];
     let middle = (bounds.start() + bounds.end()) / 2.0;
     let values = (0..8).flat_map(|digits| {
         let scale = 10_f64.powi(digits);
