@@ -26,7 +26,7 @@ pub fn figure() -> Figure {
         Some(figure.project(figure.ray().at(1.0)))
     };
     let pixel_at =
-        |values: &ParameterValues, position| CameraFigure::new(values).pixel_at(position);
+        |values: &ParameterValues, position| Some(CameraFigure::new(values).pixel_at(position));
     Figure {
         parameters: vec![
             Parameter::number(FIELD_OF_VIEW, "field of view", FOV_DEGREES, [20.0, 90.0], 1.0)

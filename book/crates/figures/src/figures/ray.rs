@@ -30,8 +30,9 @@ pub fn figure() -> Figure {
     let v = Parameter::point(V, [2.4, 0.7], [[-4.0, 7.0], [-4.0, 4.0]], 10.0);
     let distance_words = "the point's distance from S";
     let distance = Parameter::number(DISTANCE, distance_words, 5.0, [-2.0, 8.0], 10.0);
-    let v_at =
-        |values: &ParameterValues, position| VIEW.to_world(position - BESIDE) - values.point(START);
+    let v_at = |values: &ParameterValues, position| {
+        Some(VIEW.to_world(position - BESIDE) - values.point(START))
+    };
     let point = |values: &ParameterValues| position(values, ray_and_t(values).1);
     let distance_at = |values: &ParameterValues, position| {
         let (ray, _) = ray_and_t(values);
