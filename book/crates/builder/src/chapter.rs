@@ -4,8 +4,9 @@
 //! and mdBook renders them afterwards: the paragraphs, headings and links that stay as their author
 //! wrote them.
 
-use crate::directive::{Directive, replace_directives};
+use crate::directive::{Directive, DirectiveKind, replace_directives};
 use crate::fault::{ChapterError, ChapterResult, Fault};
+use crate::folded_box::BoxKind;
 use crate::markdown;
 use crate::picture::{self, Loading};
 use crate::problem::{Heading, OpenProblem, Position, Problem};
@@ -244,7 +245,7 @@ impl<'a> Chapter<'a> {
                 });
             }
             Event::Start(Tag::TableRow) => match Directive::parse(source) {
-                Some(Directive { kind: "rows", words }) => {
+                Some(Directive { kind: DirectiveKind::Rows, words }) => {
                     pixel_panel::rows_markdown(words, values)?
                 }
                 _ => return Ok(Expansion::Keep),
@@ -278,7 +279,7 @@ impl<'a> Chapter<'a> {
                 let Some(first) = source.find("{{#") else { return Ok(Expansion::Keep) };
                 let source_place_markdown = self.source_place_markdown;
                 let text = replace_directives(&source[first..], |directive| match directive.kind {
-                    "our-folder" => Ok(source_place_markdown.to_owned()),
+                    DirectiveKind::OurFolder => Ok(source_place_markdown.to_owned()),
                     _ => numbers::number_html(directive, values),
                 });
                 self.replace(range.start + first..range.end, text);
@@ -306,7 +307,8 @@ impl<'a> Chapter<'a> {
         let (language, word) = info.split_once(',').unwrap_or((info, ""));
         let lines: Vec<&str> = source.trim_end().lines().skip(1).collect();
         let content = lines[..lines.len().saturating_sub(1)].join("\n");
-        let include = Directive::parse(&content).filter(|directive| directive.kind == "include");
+        let include =
+            Directive::parse(&content).filter(|directive| directive.kind == DirectiveKind::Include);
         let html = if let Some(Directive { words, .. }) = include {
             listing::markdown(language, word, words, self.sources, &mut self.listings)?
         } else if language == "console" {
@@ -330,35 +332,44 @@ impl<'a> Chapter<'a> {
             return self.expand_pictures_alone(events, range);
         };
         let values = &self.sources.values;
-        if let Some(html) = note::html(Directive { kind, words }, values) {
-            return self.expand_note(html, range).map(Expansion::Replace);
-        }
-        Ok(Expansion::Replace(match (kind, words) {
-            ("figure", name) => figure::html(name, values)?,
-            ("check", name) => check_form::html(name, self.sources)?,
-            ("mistakes", step) => mistake_gallery::markdown(step, self.sources, &mut self.loading)?,
-            ("problem", _) if self.open_problem.is_some() || self.open_box.is_some() => {
+        Ok(Expansion::Replace(match kind {
+            DirectiveKind::Note(kind) => {
+                self.expand_note(note::html(kind, words, values), range)?
+            }
+            DirectiveKind::Figure => figure::html(words, values)?,
+            DirectiveKind::Check => check_form::html(words, self.sources)?,
+            DirectiveKind::Mistakes => {
+                mistake_gallery::markdown(words, self.sources, &mut self.loading)?
+            }
+            DirectiveKind::Problem if self.open_problem.is_some() || self.open_box.is_some() => {
                 return Err(ChapterError::ProblemInBox);
             }
-            ("problem", words) => {
+            DirectiveKind::Problem => {
                 self.begin_problem(words, range);
                 return Ok(Expansion::Done);
             }
-            ("problem-sheet", _) => {
+            DirectiveKind::ProblemSheet => {
                 self.replace(range.clone(), Ok("\n\n".to_owned()));
                 // The sheet goes between the two newlines.
                 self.sheet_position = Some(self.expanded.len() - 1);
                 return Ok(Expansion::Done);
             }
-            ("end", _) => self.end_box()?,
-            ("pixel-panel", picture) => {
-                let html = self.pixel_panel_html(picture);
+            DirectiveKind::End => self.end_box()?,
+            DirectiveKind::PixelPanel => {
+                let html = self.pixel_panel_html(words);
                 self.begin_box(kind, range.start, html)?
             }
-            (kind, words) => match folded_box::opening_html(kind, words, values) {
-                Some(html) => self.begin_box(kind, range.start, html)?,
-                None => return Ok(Expansion::Keep),
-            },
+            DirectiveKind::Box(box_kind) => {
+                let html = folded_box::opening_html(box_kind, words, values);
+                self.begin_box(kind, range.start, html)?
+            }
+            // These are a part of a text, or can't stand here. Their own event says which.
+            DirectiveKind::Value
+            | DirectiveKind::Number
+            | DirectiveKind::OurFolder
+            | DirectiveKind::Include
+            | DirectiveKind::Live
+            | DirectiveKind::Rows => return Ok(Expansion::Keep),
         }))
     }
 
@@ -366,7 +377,7 @@ impl<'a> Chapter<'a> {
     /// isn't reported as well. Boxes don't nest.
     fn begin_box(
         &mut self,
-        kind: &str,
+        kind: DirectiveKind,
         start: usize,
         html: ChapterResult<String>,
     ) -> ChapterResult<String> {
@@ -376,7 +387,9 @@ impl<'a> Chapter<'a> {
         self.open_box = Some(start);
         let answer_start = self.copy_and_pair_position(start);
         match &mut self.open_problem {
-            Some(_) if kind != "answer" => return Err(ChapterError::MissingAnswer),
+            Some(_) if kind != DirectiveKind::Box(BoxKind::Answer) => {
+                return Err(ChapterError::MissingAnswer);
+            }
             Some(problem) => problem.record_answer_start(answer_start),
             None => {}
         }
@@ -442,7 +455,8 @@ impl<'a> Chapter<'a> {
                 pictures.push([markdown, &**dest_url, &**title]);
             }
         }
-        let live = Directive::parse(&remaining).filter(|directive| directive.kind == "live");
+        let live =
+            Directive::parse(&remaining).filter(|directive| directive.kind == DirectiveKind::Live);
         let is_whole = live.is_some() || remaining.trim().is_empty();
         if !is_whole || pictures.is_empty() {
             return Ok(Expansion::Keep);

@@ -1,7 +1,7 @@
 //! Problems to solve on paper, and the sheet that repeats the problems from all chapters.
 
 use crate::fault::{ChapterError, ChapterResult};
-use crate::folded_box;
+use crate::folded_box::{self, BoxKind};
 use crate::values::Values;
 
 /// The maximum number of words in a problem's text.
@@ -137,8 +137,7 @@ pub fn sheet_markdown(
             answers += &format!("<div class=\"answer\">{link}\n\n{result}\n\n</div>\n\n");
         }
     }
-    let answer_box = folded_box::opening_html("answer", "to each problem", values).transpose()?;
-    let answer_box = answer_box.unwrap_or_default();
+    let answer_box = folded_box::opening_html(BoxKind::Answer, "to each problem", values)?;
     Ok(format!("{problems}## Answers {{#answers}}\n\n{answer_box}\n{answers}</details>\n"))
 }
 
