@@ -85,7 +85,7 @@ fn try_reply(request: &str) -> Result<Reply, RequestError> {
     let numbers = numbers.map_err(|_| unknown())?;
     let values = || parse_values(figure, text);
     match (verb, &numbers[..]) {
-        ("about", _) => Ok(about(figure)),
+        ("about", _) => Ok(about_figure(figure)),
         ("read", []) => Ok(reply_at(figure, &values()?, None)),
         ("show", columns) => {
             let columns = parse_columns(columns).ok_or_else(unknown)?;
@@ -118,7 +118,7 @@ fn parse_columns(numbers: &[f64]) -> Option<u32> {
 }
 
 /// What a page has to know about a figure before it shows anything.
-fn about(figure: &Figure) -> Reply {
+fn about_figure(figure: &Figure) -> Reply {
     let handles = figure.handles.iter().map(|handle| {
         json::object([
             ("words", json::quote(handle.words)),

@@ -44,7 +44,7 @@ impl ClassReport {
             let points = format!("{} of {}", student.points(), student.most_points());
             let feedback = student_feedback(student);
             rows.push(vec![student.name.clone(), points, String::new(), String::new(), feedback]);
-            rows.extend(picture_rows(student).into_iter().map(|row| {
+            rows.extend(rows_of_student(student).into_iter().map(|row| {
                 let feedback = row.feedback_with_file();
                 vec![String::new(), String::new(), row.picture, row.verdict, feedback]
             }));
@@ -67,7 +67,7 @@ impl ClassReport {
                 feedback: student_feedback(student),
                 ..CsvRow::default()
             });
-            rows.extend(picture_rows(student).into_iter().map(|row| CsvRow {
+            rows.extend(rows_of_student(student).into_iter().map(|row| CsvRow {
                 student: student.name.clone(),
                 picture: row.picture,
                 point: row.point,
@@ -130,7 +130,7 @@ impl OwnReport {
             return format!("There are no pictures of the course here.\n{beside}");
         }
         let head = ["picture", "verdict", "feedback"].map(str::to_owned);
-        let rows = picture_rows(own)
+        let rows = rows_of_student(own)
             .into_iter()
             .map(|row| [row.picture.clone(), row.verdict.clone(), row.feedback_with_file()]);
         let rows: Vec<_> = [head].into_iter().chain(rows).map(Vec::from).collect();
@@ -180,7 +180,7 @@ impl PictureRow {
 }
 
 /// Returns a row for each of a student's files and missing pictures.
-fn picture_rows(student: &StudentReport) -> Vec<PictureRow> {
+fn rows_of_student(student: &StudentReport) -> Vec<PictureRow> {
     student.pictures.iter().flat_map(rows_of_picture).collect()
 }
 
