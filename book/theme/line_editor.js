@@ -216,14 +216,14 @@
             return;
         }
         reset.disabled = isBook(line);
-        panel.classList.toggle("old", Boolean(reply.mistake));
+        panel.classList.toggle("old", Boolean(reply.fault));
         if (reply.size) book.paint(canvas, reply);
         if (columns !== LARGE) return;
         record();
         const wrong = reply.line ? find(reply.line) : null;
         mark(wrong, reply.from, reply.to);
         if (wrong) {
-            say(wrong === line ? reply.mistake : `In another line of yours: ${reply.mistake}`);
+            say(wrong === line ? reply.fault : `In another line of yours: ${reply.fault}`);
         } else if (isBook(line)) {
             say(linkFault || `This is the book’s line. Change it: there are numbers, operators, methods such as .sin(), if, let, and these names:\n${reply.names.join(", ")}`);
         } else {

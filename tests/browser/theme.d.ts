@@ -129,7 +129,7 @@ interface EditReply extends Pixels {
   line?: string;
   from?: number;
   to?: number;
-  mistake?: string;
+  fault?: string;
 }
 
 // Figures, as the crate `figures` describes them.

@@ -11,7 +11,7 @@ use support::{RandomInputs, test_law};
 
 /// Returns every set of vector instructions that this machine supports, and the fallback without
 /// any.
-fn levels() -> Vec<Level> {
+fn simd_levels() -> Vec<Level> {
     let best = Level::new();
     let mut levels = vec![Level::fallback(), Level::baseline(), best];
     #[cfg(target_arch = "x86_64")]
@@ -25,7 +25,7 @@ fn levels() -> Vec<Level> {
 /// Asserts that `fast` draws the same bytes as `render`, with every set of instructions.
 fn assert_fast_draws(camera: &Camera, samples: u32, scene: &Scene<Material, Light>) {
     let expected = render(camera, samples, |ray| colour(scene, ray));
-    for level in levels() {
+    for level in simd_levels() {
         let image = draw(level, camera, samples, scene);
         assert!(image == expected, "other bytes with {level:?}: {camera:?}, {samples}, {scene:?}");
     }

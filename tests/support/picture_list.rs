@@ -41,32 +41,32 @@ chapter_pictures! {
     step05_ambient: camera(), |camera, _| terms::picture(camera, |phong| phong.ambient);
     step05_diffuse: camera(), |camera, _| terms::picture(camera, |phong| phong.diffuse);
     step05_specular: camera(), |camera, _| terms::picture(camera, |phong| phong.specular);
-    one_ray: four_tiles(), |camera, _| enlarge(render(camera, 1, floor));
-    sixteen_rays: four_tiles(), |camera, _| enlarge(render(camera, 4, floor));
-    open_gate: gate(), |camera, _| {
+    one_ray: four_tiles_camera(), |camera, _| enlarge(render(camera, 1, floor));
+    sixteen_rays: four_tiles_camera(), |camera, _| enlarge(render(camera, 4, floor));
+    open_gate: gate_detail_camera(), |camera, _| {
         let scene = scene();
         enlarge(render(camera, 1, |ray| ungated_colour(&scene, ray)))
     };
-    shut_gate: gate(), |camera, _| enlarge(picture(camera, 1));
+    shut_gate: gate_detail_camera(), |camera, _| enlarge(picture(camera, 1));
     speckled: camera_without_tan(), |camera, _| draw_shadows_of_mirrors(camera, 0.0);
     shadowed: camera(), |camera, _| draw_shadows_of_mirrors(camera, mirror::OFFSET);
-    close_up: white_sphere(), |camera, _| mirror::picture(camera, 2);
+    close_up: white_sphere_camera(), |camera, _| mirror::picture(camera, 2);
     cover: camera_with_size(1280, 720), |camera, _| step05_phong::picture(camera, 4);
     goodbye: camera_with_size(1280, 720), |camera, _| mirror::picture(camera, 2);
 }
 
 /// A camera that sees four tiles of the checkerboard.
-fn four_tiles() -> Camera {
+fn four_tiles_camera() -> Camera {
     crop_camera(camera(), [366.0, 264.0], [40, 30])
 }
 
 /// A camera on the spot where an open gate (no test of n·l) lets highlights through.
-fn gate() -> Camera {
+fn gate_detail_camera() -> Camera {
     crop_camera(camera(), [585.0, 150.0], [40, 30])
 }
 
 /// A close-up camera on the white sphere.
-fn white_sphere() -> Camera {
+fn white_sphere_camera() -> Camera {
     crop_camera(camera_with_size(2560, 1440), [213.0, 926.0], [640, 360])
 }
 

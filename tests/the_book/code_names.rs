@@ -12,7 +12,7 @@ const FOREIGN_NAMES: [&str; 7] =
     ["break", "f32", "ceil", "INSTA_UPDATE", "unseen", "gluPerspective", "LATE"];
 
 /// Splits a text into words, each with the text before it and the text after it.
-fn words(text: &str) -> impl Iterator<Item = (&str, &str, &str)> {
+fn words_with_surroundings(text: &str) -> impl Iterator<Item = (&str, &str, &str)> {
     let is_part = |c: char| c.is_alphanumeric() || c == '_';
     let words = text.split(move |c| !is_part(c)).filter(|word| !word.is_empty());
     words.map(|word| {
@@ -35,7 +35,7 @@ fn is_name(before: &str, word: &str, after: &str) -> bool {
 }
 
 /// The files that a reader types, as pairs of a path and the code without its comments.
-fn source_code() -> Vec<(&'static str, String)> {
+fn reader_code_without_comments() -> Vec<(&'static str, String)> {
     let files = SOURCE_FILES.texts_with_suffix("").map(|(path, text)| {
         let lines = text.lines().map(|line| match line.split_once("//") {
             Some((code, _)) if path.ends_with(".rs") => code,
@@ -56,10 +56,10 @@ struct SourceNames<'a> {
 }
 
 impl<'a> SourceNames<'a> {
-    fn of(files: &'a [(&'static str, String)]) -> Self {
-        let in_code = || files.iter().flat_map(|(_, code)| words(code));
+    fn in_files(files: &'a [(&'static str, String)]) -> Self {
+        let in_code = || files.iter().flat_map(|(_, code)| words_with_surroundings(code));
         let called = in_code().filter(|(_, _, after)| after.starts_with(['(', '<']));
-        let in_paths = files.iter().flat_map(|(path, _)| words(path));
+        let in_paths = files.iter().flat_map(|(path, _)| words_with_surroundings(path));
         Self {
             files,
             called: called.map(|(_, word, _)| word).chain(FOREIGN_NAMES).collect(),
@@ -74,12 +74,12 @@ impl<'a> SourceNames<'a> {
     /// Whether `owner::name` occurs in the code, or `name` occurs in a file that declares `owner`.
     fn has_path(&self, owner: &str, name: &str) -> bool {
         self.files.iter().any(|(_, code)| {
-            let declares_owner = words(code).any(|(before, word, _)| {
+            let declares_owner = words_with_surroundings(code).any(|(before, word, _)| {
                 let keywords = ["struct ", "enum ", "mod ", "impl ", "> "];
                 word == owner && keywords.iter().any(|keyword| before.ends_with(keyword))
             });
             code.contains(&format!("{owner}::{name}"))
-                || declares_owner && words(code).any(|(_, word, _)| word == name)
+                || declares_owner && words_with_surroundings(code).any(|(_, word, _)| word == name)
         })
     }
 
@@ -91,13 +91,16 @@ impl<'a> SourceNames<'a> {
 /// Describes what is wrong with the names in a code span, in one sentence per fault.
 fn faults_in_code(code: &str, source: &SourceNames) -> Vec<String> {
     let mut faults = vec![];
-    for (before, word, after) in words(code).filter(|(b, word, a)| is_name(b, word, a)) {
+    for (before, word, after) in
+        words_with_surroundings(code).filter(|(b, word, a)| is_name(b, word, a))
+    {
         if !source.words.contains(word) {
             faults.push(format!("no code has `{word}`"));
         } else if after.starts_with('(') && !source.called.contains(word) {
             faults.push(format!("no code calls or defines `{word}`"));
         }
-        let owner = before.strip_suffix("::").and_then(|before| words(before).last());
+        let owner =
+            before.strip_suffix("::").and_then(|before| words_with_surroundings(before).last());
         if let Some((_, owner, _)) = owner
             && !source.has_path(owner, word)
         {
@@ -112,8 +115,8 @@ fn faults_in_code(code: &str, source: &SourceNames) -> Vec<String> {
 
 #[test]
 fn names_in_the_text_are_names_of_the_code() {
-    let files = source_code();
-    let source = SourceNames::of(&files);
+    let files = reader_code_without_comments();
+    let source = SourceNames::in_files(&files);
     let mut faults = vec![];
     for (path, text) in read_folder("book/src").texts_with_suffix(".md") {
         let mut is_listing = false;
@@ -141,7 +144,7 @@ fn name_that_a_rename_left_behind_is_a_fault() {
     let code =
         "pub mod hits;\nimpl Ray {\n    pub fn at(self) -> f64 {\n        self.t\n    }\n}\n";
     let files = [("steps/src/ray.rs", code.to_owned())];
-    let source = SourceNames::of(&files);
+    let source = SourceNames::in_files(&files);
     for right in ["Ray", "Ray::at", "at(t)", "ray.at(2.0)", "hits", "ray.rs", "src/ray.rs", "2 + x"]
     {
         assert_eq!(faults_in_code(right, &source), [""; 0], "{right}");

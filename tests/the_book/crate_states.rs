@@ -24,7 +24,7 @@ const STATES_MANIFEST: &str = "
 /// Compiles all states of all crates at once, as modules of a single crate.
 #[test]
 fn crates_compile_at_each_heading_and_command() -> Result<()> {
-    let (reader, mut modules) = (ReaderWorkspace::typed(), String::new());
+    let (reader, mut modules) = (ReaderWorkspace::with_typed_book(), String::new());
     let book = built_book();
     for step in Step::NAMES {
         let (mut files, mut is_new) = (TypedFiles::new(), false);

@@ -4,7 +4,7 @@
 use super::built_book::read_folder;
 use super::reader_workspace::ReaderWorkspace;
 use course::describe_difference;
-use figures::{COLUMNS, Content, EditableScene, Figure, find, parse_address};
+use figures::{COLUMNS, Content, EditableScene, Figure, find_figure, parse_address};
 use image::RgbImage;
 
 /// The addresses of some scenes on the page.
@@ -18,7 +18,7 @@ const ADDRESSES: [&str; 5] = [
 ];
 
 fn find_scene() -> (&'static Figure, &'static EditableScene) {
-    let figure = find("own_scene").expect("a figure");
+    let figure = find_figure("own_scene").expect("a figure");
     (figure, figure.editable_scene.as_ref().expect("a scene"))
 }
 
@@ -37,7 +37,7 @@ fn program_of_the_unchanged_scene_is_the_example() {
 #[test]
 #[ignore = "takes a minute: cargo test -- --include-ignored"]
 fn program_of_a_scene_draws_its_picture() {
-    let ((figure, scene), reader) = (find_scene(), ReaderWorkspace::typed());
+    let ((figure, scene), reader) = (find_scene(), ReaderWorkspace::with_typed_book());
     let Content::Picture { draw } = figure.content else { panic!("a drawing") };
     for address in ADDRESSES {
         let values = parse_address(figure, address).expect("a scene");

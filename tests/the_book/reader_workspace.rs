@@ -12,7 +12,7 @@ use std::process::{Command, Output};
 /// Returns the pages about a step, in the book's order. Their names begin with the first word of
 /// the step's name, such as `step01`.
 pub fn pages_of_step<'a>(book: &'a Site, step: &str) -> impl Iterator<Item = &'a Page> {
-    let pages = book.chapters_in_order().into_iter();
+    let pages = book.pages_in_order().into_iter();
     pages.filter(move |page| page.name.split('_').next() == step.split('_').next())
 }
 
@@ -35,9 +35,9 @@ impl ReaderWorkspace {
     }
 
     /// Opens the workspace, and writes all of the book's listings into it.
-    pub fn typed() -> Self {
+    pub fn with_typed_book() -> Self {
         let (book, reader) = (built_book(), Self::open());
-        let typed = typed_files(book.chapters_in_order());
+        let typed = typed_files(book.pages_in_order());
         reader.write_files(&typed).expect("the files can be written");
         reader
     }

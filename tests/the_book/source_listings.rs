@@ -20,7 +20,7 @@ pub static SOURCE_FILES: LazyLock<Files> = LazyLock::new(|| {
 #[test]
 fn every_line_of_every_file_is_listed_once() {
     let (book, mut faults) = (built_book(), vec![]);
-    let typed = typed_files(book.chapters_in_order());
+    let typed = typed_files(book.pages_in_order());
     let files = SOURCE_FILES.texts_with_suffix("");
     for (path, text) in files.filter(|(path, _)| path.starts_with("steps/")) {
         let listed_text = typed.get(path).map_or("", String::as_str);

@@ -27,7 +27,7 @@ fn commands_do_what_their_pages_say() -> Result<()> {
     let _ = fs::remove_dir_all(reader.folder.join("steps"));
     let (mut typed, mut commands_for_later) = (TypedFiles::new(), vec![]);
     let mut drawn_names = BTreeSet::new();
-    for item in book.chapters_in_order().into_iter().flat_map(page_items) {
+    for item in book.pages_in_order().into_iter().flat_map(page_items) {
         match item {
             PageItem::Listing(path, code) => *typed.entry(path).or_default() += &code,
             PageItem::Command(command) if runs_unlisted_example(&command, &typed) => {

@@ -30,7 +30,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         let module = format!("expressions::steps::{step}");
         let copy = match &*name {
             "step01_rays/src/draw_pixels.rs" => DRAW_PIXELS.to_owned(),
-            _ => with_questions(&crate_as_module(&text, &module, ["step0"]), &name, &places),
+            _ => with_editable_places(&crate_as_module(&text, &module, ["step0"]), &name, &places),
         };
         let path = Path::new(&out).join(&name);
         create_dir_all(path.parent().unwrap_or(&path))?;
@@ -68,7 +68,7 @@ fn source_files() -> Result<BTreeMap<String, String>, Box<dyn Error>> {
 /// the picture of every place with the locked one. They also report any place whose code isn't
 /// found. Here such a place is skipped, because a failing build would keep the test of the changed
 /// picture from running.
-fn with_questions(text: &str, file: &str, places: &[Place]) -> String {
+fn with_editable_places(text: &str, file: &str, places: &[Place]) -> String {
     let places = places.iter().filter(|place| place.file == file);
     let found = places.filter_map(|place| Some((place.find_range(text).ok()?, place)));
     let mut edits: Vec<_> = found.collect();

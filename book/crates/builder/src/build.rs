@@ -93,7 +93,7 @@ fn write_and_check_pages(workspace: &Path, folder: &Path) -> Result<Site> {
     let mut site = Site::new(files);
     let index = search::index_script(&site, search::READER_WORDS)?;
     write_page_file(&folder, &mut site.files, "search-index.js".to_owned(), index)?;
-    Faults::ensure_none(links::find_faults(&site))?;
+    Faults::ensure_none(links::find_address_faults(&site))?;
     Ok(site)
 }
 

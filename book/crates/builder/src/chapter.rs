@@ -1,7 +1,12 @@
 //! Expands a chapter: turns every directive, formula and listing into HTML.
+//!
+//! The result is Markdown again, with that HTML in it. A preprocessor returns chapters as Markdown,
+//! and mdBook renders them afterwards: the paragraphs, headings and links that stay as their author
+//! wrote them.
 
-use crate::directive::{Directive, replace_directives};
+use crate::directive::{Directive, DirectiveKind, replace_directives};
 use crate::fault::{ChapterError, ChapterResult, Fault};
+use crate::folded_box::BoxKind;
 use crate::markdown;
 use crate::picture::{self, Loading};
 use crate::problem::{Heading, OpenProblem, Position, Problem};
@@ -44,12 +49,16 @@ impl ExpandedChapter {
 }
 
 /// Expands the listings, formulas, figures, numbers, pictures and boxes in a chapter's `text`.
-/// `our_folder` is Markdown that says where the book's source is.
-pub fn expand_chapter(text: &str, sources: &Sources, our_folder: &str) -> ExpandedChapter {
+/// `source_place_markdown` is Markdown that says where the book's source is.
+pub fn expand_chapter(
+    text: &str,
+    sources: &Sources,
+    source_place_markdown: &str,
+) -> ExpandedChapter {
     let mut chapter = Chapter {
         text,
         sources,
-        our_folder,
+        source_place_markdown,
         expanded: String::new(),
         expanded_end: 0,
         faults: vec![],
@@ -78,7 +87,7 @@ struct Chapter<'a> {
     /// The text as its author wrote it.
     text: &'a str,
     sources: &'a Sources,
-    our_folder: &'a str,
+    source_place_markdown: &'a str,
     /// The expansion of the text up to the position `expanded_end`.
     expanded: String,
     expanded_end: usize,
@@ -101,6 +110,16 @@ struct Chapter<'a> {
 
 type Events<'a> = [(Event<'a>, Range<usize>)];
 
+/// What happens to a part of the chapter.
+enum Expansion {
+    /// It stays as it is, unless a part inside it is expanded.
+    Keep,
+    /// This Markdown replaces it.
+    Replace(String),
+    /// It has been replaced already.
+    Done,
+}
+
 impl<'a> Chapter<'a> {
     fn add_fault(&mut self, position: usize, error: ChapterError) {
         let line = 1 + self.text[..position].matches('\n').count();
@@ -116,7 +135,7 @@ impl<'a> Chapter<'a> {
 
     /// Pairs a position in the text with the matching one in the expanded text. Copies everything
     /// before it.
-    fn position(&mut self, in_text: usize) -> Position {
+    fn copy_and_pair_position(&mut self, in_text: usize) -> Position {
         self.copy_until(in_text);
         Position { in_text, in_expanded: self.expanded.len() }
     }
@@ -156,7 +175,7 @@ impl<'a> Chapter<'a> {
                 Event::Start(_) => {
                     nesting += 1;
                     if nesting == 1 {
-                        self.begin_noted_block(range.start);
+                        self.open_noted_block(range.start);
                     }
                 }
                 Event::End(_) => nesting -= 1,
@@ -166,10 +185,14 @@ impl<'a> Chapter<'a> {
                 self.add_fault(range.start, ChapterError::DeepNesting);
                 return;
             }
-            if self.expanded_end < range.end
-                && let Some(part) = self.expand_event(event, &events[index..], range)
-            {
-                self.replace(range.clone(), part);
+            // What lies inside a part that was replaced isn't expanded again.
+            if self.expanded_end < range.end {
+                match self.expand_event(event, &events[index..], range) {
+                    Ok(Expansion::Keep) => {}
+                    Ok(Expansion::Replace(part)) => self.replace(range.clone(), Ok(part)),
+                    Ok(Expansion::Done) => debug_assert!(self.expanded_end >= range.end),
+                    Err(error) => self.replace(range.clone(), Err(error)),
+                }
             }
         }
         let problem_position = self.open_problem.as_ref().map(|problem| problem.start);
@@ -183,7 +206,7 @@ impl<'a> Chapter<'a> {
 
     /// Opens the wrapper around a block and its notes, if a block with notes begins at this
     /// position.
-    fn begin_noted_block(&mut self, start: usize) {
+    fn open_noted_block(&mut self, start: usize) {
         if self.noted_blocks.iter().any(|block| block.start == start) {
             self.copy_until(start);
             self.expanded += note::OPENING_HTML;
@@ -204,68 +227,71 @@ impl<'a> Chapter<'a> {
         html.map(|html| html + closing)
     }
 
-    /// Returns the replacement for the part of the chapter that an event begins, or None if the
-    /// text stays as it is or has already been replaced.
+    /// Expands the part of the chapter that an event begins.
     fn expand_event(
         &mut self,
         event: &Event,
         events: &Events,
         range: &Range<usize>,
-    ) -> Option<ChapterResult<String>> {
+    ) -> ChapterResult<Expansion> {
         let source = &self.text[range.clone()];
         let values = &self.sources.values;
-        Some(match event {
-            Event::Start(Tag::CodeBlock(kind)) => self.expand_code_block(kind, source),
+        Ok(Expansion::Replace(match event {
+            Event::Start(Tag::CodeBlock(kind)) => self.expand_code_block(kind, source)?,
             Event::Start(Tag::Paragraph) => {
-                let html = self.expand_paragraph(events, range)?;
-                html.map(|html| format!("\n{html}\n"))
+                return Ok(match self.expand_directive_or_pictures(events, range)? {
+                    Expansion::Replace(html) => Expansion::Replace(format!("\n{html}\n")),
+                    other => other,
+                });
             }
             Event::Start(Tag::TableRow) => match Directive::parse(source) {
-                Some(Directive { kind: "rows", words }) => {
-                    pixel_panel::rows_markdown(words, values)
+                Some(Directive { kind: DirectiveKind::Rows, words }) => {
+                    pixel_panel::rows_markdown(words, values)?
                 }
-                _ => return None,
+                _ => return Ok(Expansion::Keep),
             },
             Event::Start(Tag::Strong) => {
-                let position = self.position(range.start);
-                self.open_problem.as_mut()?.begin_bold_words(position);
-                return None;
+                let position = self.copy_and_pair_position(range.start);
+                if let Some(problem) = &mut self.open_problem {
+                    problem.record_bold_start(position);
+                }
+                return Ok(Expansion::Keep);
             }
             Event::End(TagEnd::Strong) => {
-                let position = self.position(range.end);
-                self.open_problem.as_mut()?.end_bold_words(position);
-                return None;
+                let position = self.copy_and_pair_position(range.end);
+                if let Some(problem) = &mut self.open_problem {
+                    problem.record_bold_end(position);
+                }
+                return Ok(Expansion::Keep);
             }
             Event::Start(Tag::Image { dest_url, .. }) => {
-                picture::markdown_html(source, dest_url, self.sources, &mut self.loading)
+                picture::markdown_html(source, dest_url, self.sources, &mut self.loading)?
             }
             Event::InlineMath(latex) => {
                 self.replace_inline_formula(latex, range);
-                return None;
+                return Ok(Expansion::Done);
             }
-            Event::DisplayMath(latex) => formula::formula_html(latex, true, values),
-            Event::Code(code) if is_breakable_name(code) => {
-                Ok(markdown::code_with_break_hints(code))
-            }
-            Event::Code(_) => numbers::fill_in_code(source, values),
+            Event::DisplayMath(latex) => formula::formula_html(latex, true, values)?,
+            Event::Code(code) if is_breakable_name(code) => markdown::code_with_break_hints(code),
+            Event::Code(_) => numbers::fill_in_code(source, values)?,
             Event::Text(_) | Event::Html(_) | Event::InlineHtml(_) => {
-                self.find_lone_dollar(source, range.start);
-                let first = source.find("{{#")?;
-                let our_folder = self.our_folder;
+                self.report_lone_dollar(source, range.start);
+                let Some(first) = source.find("{{#") else { return Ok(Expansion::Keep) };
+                let source_place_markdown = self.source_place_markdown;
                 let text = replace_directives(&source[first..], |directive| match directive.kind {
-                    "our-folder" => Ok(our_folder.to_owned()),
+                    DirectiveKind::OurFolder => Ok(source_place_markdown.to_owned()),
                     _ => numbers::number_html(directive, values),
                 });
                 self.replace(range.start + first..range.end, text);
-                return None;
+                return Ok(Expansion::Done);
             }
-            _ => return None,
-        })
+            _ => return Ok(Expansion::Keep),
+        }))
     }
 
     /// Adds a fault if there is an unescaped $ in `source`, a piece of text or HTML that begins at
     /// `start`.
-    fn find_lone_dollar(&mut self, source: &str, start: usize) {
+    fn report_lone_dollar(&mut self, source: &str, start: usize) {
         let mut positions = source.match_indices('$').map(|(index, _)| start + index);
         if let Some(position) = positions.find(|k| !self.text[..*k].ends_with('\\')) {
             self.add_fault(position, ChapterError::LoneDollar);
@@ -281,9 +307,10 @@ impl<'a> Chapter<'a> {
         let (language, word) = info.split_once(',').unwrap_or((info, ""));
         let lines: Vec<&str> = source.trim_end().lines().skip(1).collect();
         let content = lines[..lines.len().saturating_sub(1)].join("\n");
-        let include = Directive::parse(&content).filter(|directive| directive.kind == "include");
+        let include =
+            Directive::parse(&content).filter(|directive| directive.kind == DirectiveKind::Include);
         let html = if let Some(Directive { words, .. }) = include {
-            listing::html(language, word, words, self.sources, &mut self.listings)?
+            listing::markdown(language, word, words, self.sources, &mut self.listings)?
         } else if language == "console" {
             console::figure_markdown(word, &content)?
         } else if ["", "rust", "toml"].contains(&language) {
@@ -295,53 +322,62 @@ impl<'a> Chapter<'a> {
     }
 
     /// Expands a paragraph that consists of a single directive or only of pictures.
-    fn expand_paragraph(
+    fn expand_directive_or_pictures(
         &mut self,
         events: &Events,
         range: &Range<usize>,
-    ) -> Option<ChapterResult<String>> {
+    ) -> ChapterResult<Expansion> {
         let directive = Directive::parse(&self.text[range.clone()]);
         let Some(Directive { kind, words }) = directive else {
             return self.expand_pictures_alone(events, range);
         };
         let values = &self.sources.values;
-        if let Some(html) = note::html(Directive { kind, words }, values) {
-            return Some(self.expand_note(html, range));
-        }
-        Some(match (kind, words) {
-            ("figure", name) => figure::html(name, values),
-            ("check", name) => check_form::html(name, self.sources),
-            ("mistakes", step) => mistake_gallery::html(step, self.sources, &mut self.loading),
-            ("problem", _) if self.open_problem.is_some() || self.open_box.is_some() => {
-                Err(ChapterError::ProblemInBox)
+        Ok(Expansion::Replace(match kind {
+            DirectiveKind::Note(kind) => {
+                self.expand_note(note::html(kind, words, values), range)?
             }
-            ("problem", words) => {
+            DirectiveKind::Figure => figure::html(words, values)?,
+            DirectiveKind::Check => check_form::html(words, self.sources)?,
+            DirectiveKind::Mistakes => {
+                mistake_gallery::markdown(words, self.sources, &mut self.loading)?
+            }
+            DirectiveKind::Problem if self.open_problem.is_some() || self.open_box.is_some() => {
+                return Err(ChapterError::ProblemInBox);
+            }
+            DirectiveKind::Problem => {
                 self.begin_problem(words, range);
-                return None;
+                return Ok(Expansion::Done);
             }
-            ("problem-sheet", _) => {
+            DirectiveKind::ProblemSheet => {
                 self.replace(range.clone(), Ok("\n\n".to_owned()));
                 // The sheet goes between the two newlines.
                 self.sheet_position = Some(self.expanded.len() - 1);
-                return None;
+                return Ok(Expansion::Done);
             }
-            ("end", _) => self.end_box(),
-            ("pixel-panel", picture) => {
-                let html = self.pixel_panel_html(picture);
-                self.begin_box(kind, range.start, html)
+            DirectiveKind::End => self.end_box()?,
+            DirectiveKind::PixelPanel => {
+                let html = self.pixel_panel_html(words);
+                self.begin_box(kind, range.start, html)?
             }
-            (kind, words) => match folded_box::opening_html(kind, words, values) {
-                Some(html) => self.begin_box(kind, range.start, html),
-                None => return None,
-            },
-        })
+            DirectiveKind::Box(box_kind) => {
+                let html = folded_box::opening_html(box_kind, words, values);
+                self.begin_box(kind, range.start, html)?
+            }
+            // These are a part of a text, or can't stand here. Their own event says which.
+            DirectiveKind::Value
+            | DirectiveKind::Number
+            | DirectiveKind::OurFolder
+            | DirectiveKind::Include
+            | DirectiveKind::Live
+            | DirectiveKind::Rows => return Ok(Expansion::Keep),
+        }))
     }
 
     /// Opens a box. It counts as open even if its first line is an error, so that its `{{#end}}`
     /// isn't reported as well. Boxes don't nest.
     fn begin_box(
         &mut self,
-        kind: &str,
+        kind: DirectiveKind,
         start: usize,
         html: ChapterResult<String>,
     ) -> ChapterResult<String> {
@@ -349,10 +385,12 @@ impl<'a> Chapter<'a> {
             return Err(ChapterError::BoxInBox);
         }
         self.open_box = Some(start);
-        let text_end = self.position(start);
+        let answer_start = self.copy_and_pair_position(start);
         match &mut self.open_problem {
-            Some(_) if kind != "answer" => return Err(ChapterError::MissingAnswer),
-            Some(problem) => problem.begin_answer(text_end),
+            Some(_) if kind != DirectiveKind::Box(BoxKind::Answer) => {
+                return Err(ChapterError::MissingAnswer);
+            }
+            Some(problem) => problem.record_answer_start(answer_start),
             None => {}
         }
         html
@@ -369,7 +407,7 @@ impl<'a> Chapter<'a> {
             Err(error) => (None, Err(error)),
         };
         self.replace(range.clone(), html);
-        let text_start = self.position(range.end);
+        let text_start = self.copy_and_pair_position(range.end);
         self.open_problem = Some(OpenProblem::new(heading, range.start, text_start));
     }
 
@@ -406,7 +444,7 @@ impl<'a> Chapter<'a> {
         &mut self,
         events: &Events,
         range: &Range<usize>,
-    ) -> Option<ChapterResult<String>> {
+    ) -> ChapterResult<Expansion> {
         let (mut pictures, mut remaining) = (vec![], self.text[range.clone()].to_owned());
         for (event, inner) in events {
             if let Event::Start(Tag::Image { dest_url, title, .. }) = event
@@ -417,19 +455,17 @@ impl<'a> Chapter<'a> {
                 pictures.push([markdown, &**dest_url, &**title]);
             }
         }
-        let live = Directive::parse(&remaining).filter(|directive| directive.kind == "live");
+        let live =
+            Directive::parse(&remaining).filter(|directive| directive.kind == DirectiveKind::Live);
         let is_whole = live.is_some() || remaining.trim().is_empty();
         if !is_whole || pictures.is_empty() {
-            return None;
+            return Ok(Expansion::Keep);
         }
-        let live = match live.map(|directive| find_live(directive.words)).transpose() {
-            Ok(live) => live,
-            Err(error) => return Some(Err(error)),
-        };
+        let live = live.map(|directive| find_live_figure(directive.words)).transpose()?;
         if let Some(picture) = live.filter(|live| live.probe().is_some()) {
             self.missing_panel = Some((range.start, picture.name));
         }
-        Some(self.figures_html(&pictures, live))
+        self.figures_html(&pictures, live).map(Expansion::Replace)
     }
 
     /// The HTML of these pictures, each given as `[markdown, file, caption]`. Several pictures are
@@ -452,8 +488,8 @@ impl<'a> Chapter<'a> {
     }
 }
 
-fn find_live(name: &str) -> ChapterResult<&'static Figure> {
-    figures::find(name).ok_or_else(|| ChapterError::UnknownLive(name.to_owned()))
+fn find_live_figure(name: &str) -> ChapterResult<&'static Figure> {
+    figures::find_figure(name).ok_or_else(|| ChapterError::UnknownLive(name.to_owned()))
 }
 
 /// Whether code is a name such as `Ray::at`, inside which a line may break.

@@ -139,10 +139,10 @@ fn label_html(symbol: &str, words: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use figures::find;
+    use figures::find_figure;
 
     fn control(figure: &str, id: &str) -> String {
-        let figure = find(figure).expect("a figure");
+        let figure = find_figure(figure).expect("a figure");
         let has_id = |parameter: &&Parameter| parameter.id.to_string() == id;
         let parameter = figure.parameters.iter().find(has_id).expect("a parameter");
         Control { figure, parameter }.html()
@@ -171,7 +171,7 @@ mod tests {
 
     #[test]
     fn exact_values_have_a_row_for_each_object() {
-        let html = html(find("three-cases").expect("a figure"));
+        let html = html(find_figure("three-cases").expect("a figure"));
         assert_eq!(html.matches("<span class=\"row\">").count(), 3);
         assert!(html.contains("<span>the start of the left ray</span>"));
     }

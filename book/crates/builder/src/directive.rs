@@ -1,6 +1,8 @@
 //! Directives, `{{#kind words}}`. Only this file parses their braces.
 
-use crate::fault::ChapterResult;
+use crate::fault::{ChapterError, ChapterResult};
+use crate::folded_box::BoxKind;
+use crate::note::NoteKind;
 use crate::replace_between::replace_between;
 use std::fmt::{self, Display, Formatter};
 
@@ -8,22 +10,95 @@ use std::fmt::{self, Display, Formatter};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Directive<'a> {
     /// Its kind, such as `figure`.
-    pub kind: &'a str,
+    pub kind: DirectiveKind,
     /// The rest of it, such as `ray`. It may contain further directives, as in
     /// `{{#predict Why {{#value row:D}}?}}`.
     pub words: &'a str,
 }
 
+/// The kinds of directives. The top of lib.rs says what each of them is for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum DirectiveKind {
+    Include,
+    Value,
+    Number,
+    OurFolder,
+    Figure,
+    Live,
+    PixelPanel,
+    Rows,
+    Box(BoxKind),
+    End,
+    Problem,
+    ProblemSheet,
+    Mistakes,
+    Check,
+    Note(NoteKind),
+}
+
+impl DirectiveKind {
+    const ALL: [Self; 20] = [
+        Self::Include,
+        Self::Value,
+        Self::Number,
+        Self::OurFolder,
+        Self::Figure,
+        Self::Live,
+        Self::PixelPanel,
+        Self::Rows,
+        Self::Box(BoxKind::Predict),
+        Self::Box(BoxKind::Hints),
+        Self::Box(BoxKind::Aside),
+        Self::Box(BoxKind::Answer),
+        Self::End,
+        Self::Problem,
+        Self::ProblemSheet,
+        Self::Mistakes,
+        Self::Check,
+        Self::Note(NoteKind::Note),
+        Self::Note(NoteKind::Rust),
+        Self::Note(NoteKind::ByHand),
+    ];
+
+    /// Its name in a chapter.
+    fn name(self) -> &'static str {
+        match self {
+            Self::Include => "include",
+            Self::Value => "value",
+            Self::Number => "number",
+            Self::OurFolder => "our-folder",
+            Self::Figure => "figure",
+            Self::Live => "live",
+            Self::PixelPanel => "pixel-panel",
+            Self::Rows => "rows",
+            Self::Box(kind) => kind.name(),
+            Self::End => "end",
+            Self::Problem => "problem",
+            Self::ProblemSheet => "problem-sheet",
+            Self::Mistakes => "mistakes",
+            Self::Check => "check",
+            Self::Note(NoteKind::Note) => "note",
+            Self::Note(NoteKind::Rust) => "rust",
+            Self::Note(NoteKind::ByHand) => "by-hand",
+        }
+    }
+
+    fn from_name(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|kind| kind.name() == name)
+    }
+}
+
 impl<'a> Directive<'a> {
-    /// Parses a text that is one directive and nothing else. Returns None for any other text.
+    /// Parses a text that is one directive and nothing else. Returns None for any other text, and
+    /// for a directive that doesn't exist.
     pub fn parse(text: &'a str) -> Option<Self> {
-        text.trim().strip_prefix("{{#")?.strip_suffix("}}").map(Self::from_inside)
+        Self::parse_inside(text.trim().strip_prefix("{{#")?.strip_suffix("}}")?)
     }
 
     /// Parses the text between the braces.
-    fn from_inside(inside: &'a str) -> Self {
-        let (kind, words) = inside.split_once(char::is_whitespace).unwrap_or((inside, ""));
-        Self { kind, words: words.trim() }
+    fn parse_inside(inside: &'a str) -> Option<Self> {
+        let (name, words) = inside.split_once(char::is_whitespace).unwrap_or((inside, ""));
+        Some(Self { kind: DirectiveKind::from_name(name)?, words: words.trim() })
     }
 }
 
@@ -31,7 +106,7 @@ impl<'a> Directive<'a> {
 impl Display for Directive<'_> {
     fn fmt(&self, f: &mut Formatter) -> fmt::Result {
         let space = if self.words.is_empty() { "" } else { " " };
-        write!(f, "{{{{#{}{space}{}}}}}", self.kind, self.words)
+        write!(f, "{{{{#{}{space}{}}}}}", self.kind.name(), self.words)
     }
 }
 
@@ -40,7 +115,10 @@ pub fn replace_directives(
     text: &str,
     mut replacement: impl FnMut(Directive) -> ChapterResult<String>,
 ) -> ChapterResult<String> {
-    replace_between(text, "{{#", "}}", |inside| replacement(Directive::from_inside(inside)))
+    replace_between(text, "{{#", "}}", |inside| match Directive::parse_inside(inside) {
+        Some(directive) => replacement(directive),
+        None => Err(ChapterError::UnknownDirective(format!("{{{{#{inside}}}}}"))),
+    })
 }
 
 #[cfg(test)]
@@ -50,12 +128,19 @@ mod tests {
     #[test]
     fn directive_is_a_kind_and_words() {
         let parse = Directive::parse;
-        assert_eq!(parse("{{#figure ray}}\n"), Some(Directive { kind: "figure", words: "ray" }));
-        assert_eq!(parse("{{#end}}"), Some(Directive { kind: "end", words: "" }));
-        assert_eq!(parse("{{#value  a }}"), Some(Directive { kind: "value", words: "a" }));
-        let inner = Directive { kind: "predict", words: "Is it {{#value a}}?" };
+        assert_eq!(
+            parse("{{#figure ray}}\n"),
+            Some(Directive { kind: DirectiveKind::Figure, words: "ray" })
+        );
+        assert_eq!(parse("{{#end}}"), Some(Directive { kind: DirectiveKind::End, words: "" }));
+        assert_eq!(
+            parse("{{#value  a }}"),
+            Some(Directive { kind: DirectiveKind::Value, words: "a" })
+        );
+        let kind = DirectiveKind::Box(BoxKind::Predict);
+        let inner = Directive { kind, words: "Is it {{#value a}}?" };
         assert_eq!(parse("{{#predict Is it {{#value a}}?}}"), Some(inner));
-        for text in ["", "text", "{{figure ray}}", "{{#figure ray}} text"] {
+        for text in ["", "text", "{{figure ray}}", "{{#figure ray}} text", "{{#drawer}}"] {
             assert_eq!(parse(text), None, "{text}");
         }
     }
@@ -72,5 +157,7 @@ mod tests {
         let replace = |text| replace_directives(text, |directive| Ok(directive.words.to_owned()));
         assert_eq!(replace("a {{#value b}}, {{#value c}}.").expect("a text"), "a b, c.");
         assert!(replace("a {{#value b").is_err());
+        let error = replace("a {{#drawer b}}").expect_err("no directive");
+        assert_eq!(error.to_string(), "there is no directive {{#drawer b}}");
     }
 }

@@ -29,10 +29,9 @@ impl Display for Fault {
 pub enum ChapterError {
     #[error(transparent)]
     MissingEnd(#[from] MissingEnd),
-    #[error(
-        "{0} can't stand here: either there is no such directive, or it needs a paragraph or a \
-         fence of its own"
-    )]
+    #[error("there is no directive {0}")]
+    UnknownDirective(String),
+    #[error("{0} can't stand here: most directives need a paragraph or a fence of their own")]
     MisplacedDirective(String),
 
     #[error("there is no value {0}")]

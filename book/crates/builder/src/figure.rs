@@ -4,11 +4,11 @@ use crate::controls;
 use crate::fault::{ChapterError, ChapterResult};
 use crate::markdown::inline_html;
 use crate::values::Values;
-use figures::{Content, find};
+use figures::{Content, find_figure};
 
 /// The HTML of the drawing called `name`, with its caption and its controls.
 pub fn html(name: &str, values: &Values) -> ChapterResult<String> {
-    let figure = find(name).ok_or_else(|| ChapterError::UnknownFigure(name.to_owned()))?;
+    let figure = find_figure(name).ok_or_else(|| ChapterError::UnknownFigure(name.to_owned()))?;
     let Content::Drawing { title, caption, draw } = figure.content else {
         return Err(ChapterError::UnknownFigure(name.to_owned()));
     };

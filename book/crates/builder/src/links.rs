@@ -4,7 +4,7 @@
 use crate::files::resolve_path;
 use crate::page::Element;
 use crate::{Page, Site};
-use figures::{find, parse_address};
+use figures::{find_figure, parse_address};
 use std::collections::BTreeSet;
 use thiserror::Error;
 
@@ -15,12 +15,12 @@ pub struct LinkFault {
     /// The page, and the last id before the link.
     element: String,
     /// What is wrong with its address.
-    error: AddressError,
+    error: LinkError,
 }
 
 /// Everything that can be wrong with an address.
 #[derive(Debug, Error)]
-enum AddressError {
+enum LinkError {
     #[error("{0} is outside the book")]
     OutsideBook(String),
     #[error("there is no {0} in the book")]
@@ -31,7 +31,7 @@ enum AddressError {
 
 /// Finds the links that lead nowhere, and everything that would be fetched from elsewhere. Skips
 /// the pages that only repeat the chapters.
-pub fn find_faults(site: &Site) -> Vec<LinkFault> {
+pub fn find_address_faults(site: &Site) -> Vec<LinkFault> {
     let with_id = site.pages.values().flat_map(|page| {
         page.elements.iter().map(|element| (page.name.as_str(), element.attr("id")))
     });
@@ -86,12 +86,12 @@ fn check_address(
     ids: &BTreeSet<(&str, Option<&str>)>,
     page_path: &str,
     address: &str,
-) -> Result<(), AddressError> {
+) -> Result<(), LinkError> {
     if address.starts_with("data:") {
         return Ok(());
     }
     if is_outside_book(address) {
-        return Err(AddressError::OutsideBook(address.to_owned()));
+        return Err(LinkError::OutsideBook(address.to_owned()));
     }
     let (path, id) = address.split_once('#').unwrap_or((address, ""));
     let path = match path.split('?').next().unwrap_or_default() {
@@ -99,12 +99,12 @@ fn check_address(
         path => resolve_path(page_path, path),
     };
     if !site.files.0.contains_key(&path) {
-        return Err(AddressError::UnknownFile(path));
+        return Err(LinkError::UnknownFile(path));
     }
     let is_there = id.is_empty()
         || ids.contains(&(&path, Some(id)))
         || site.pages.get(&path).is_some_and(|page| is_for_script(page, id));
-    if is_there { Ok(()) } else { Err(AddressError::UnknownId { id: id.to_owned(), path }) }
+    if is_there { Ok(()) } else { Err(LinkError::UnknownId { id: id.to_owned(), path }) }
 }
 
 /// Whether a script on the page understands `id`, the end of an address: `pixel=470,120`, if a
@@ -120,7 +120,7 @@ fn is_for_script(page: &Page, id: &str) -> bool {
         }
         Some(("scene", address)) => {
             let is_here = page.attribute_values("data-live").any(|name| name == "own_scene");
-            find("own_scene")
+            find_figure("own_scene")
                 .filter(|_| is_here)
                 .is_some_and(|live| parse_address(live, address).is_ok())
         }

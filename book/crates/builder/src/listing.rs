@@ -5,7 +5,7 @@ use crate::Sources;
 use crate::fault::{ChapterError, ChapterResult};
 use crate::files::{CHAPTERS, resolve_path};
 use course::{Place, Step};
-use figures::{escape, find};
+use figures::{escape, find_figure};
 use std::fs;
 use std::ops::Range;
 use std::path::Path;
@@ -24,7 +24,7 @@ static PLACES: LazyLock<Vec<Place>> = LazyLock::new(course::all_listed_places);
 ///
 /// In a fence `rust,own_scene`, `scene` is `own_scene`: once the reader changes that scene, the
 /// page shows the scene's program instead of the file. In a fence `rust`, `scene` is empty.
-pub fn html(
+pub fn markdown(
     language: &str,
     scene: &str,
     include: &str,
@@ -43,7 +43,7 @@ pub fn html(
     let code = lines[range].join("\n");
     let scene = Some(scene).filter(|scene| !scene.is_empty());
     if let Some(name) = scene
-        && find(name).is_none_or(|figure| figure.editable_scene.is_none())
+        && find_figure(name).is_none_or(|figure| figure.editable_scene.is_none())
     {
         return Err(ChapterError::UnknownProgram(name.to_owned()));
     }

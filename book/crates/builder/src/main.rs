@@ -40,7 +40,7 @@ fn build_and_report(opens_browser: bool) -> Result<()> {
     let _ = writeln!(stdout(), "Building the book …");
     let folder = target_folder().join("book");
     let site = builder::build(&workspace(), &folder)?;
-    let (count, time) = (site.chapters_in_order().len(), start.elapsed());
+    let (count, time) = (site.pages_in_order().len(), start.elapsed());
     let index = folder.join("index.html");
     let page = index.display();
     let _ = writeln!(stdout(), "Built {count} chapters in {time:.1?}.\nThe first page is {page}");

@@ -13,7 +13,7 @@ use figures::escape;
 /// The Markdown for `{{#mistakes step01_rays}}`: first a contact sheet of the mistakes that show in
 /// that step's picture, then a section for each mistake, with its picture, our picture, their
 /// difference, the diff, and the reason.
-pub fn html(name: &str, sources: &Sources, loading: &mut Loading) -> ChapterResult<String> {
+pub fn markdown(name: &str, sources: &Sources, loading: &mut Loading) -> ChapterResult<String> {
     let step = Step::from_name(name).ok_or_else(|| ChapterError::UnknownStep(name.to_owned()))?;
     let (mut items, mut sections) = (String::new(), String::new());
     for mistake in mistakes() {

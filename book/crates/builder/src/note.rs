@@ -1,6 +1,6 @@
 //! Notes, which stand in the margin beside the block that they follow in the chapter.
 
-use crate::directive::Directive;
+use crate::directive::{Directive, DirectiveKind};
 use crate::fault::ChapterResult;
 use crate::markdown;
 use crate::values::Values;
@@ -12,24 +12,29 @@ pub const OPENING_HTML: &str = "<div class=\"with-margin\">\n\n";
 /// Closes that wrapper after the last note.
 pub const CLOSING_HTML: &str = "\n</div>\n\n";
 
-/// The HTML of a note, `{{#note words}}` or `{{#rust words}}`, or of the name of a test,
-/// `{{#by-hand test}}`. Returns None for any other directive.
-pub fn html(directive: Directive, values: &Values) -> Option<ChapterResult<String>> {
-    let label = match directive.kind {
-        "note" => "",
-        "rust" => "<strong>New Rust here</strong> ",
-        "by-hand" => {
-            let name = markdown::code_with_break_hints(directive.words);
-            return Some(Ok(format!("<p class=\"by-hand\" role=\"note\">Test: {name}</p>\n")));
+/// The kinds of notes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum NoteKind {
+    /// Words of the author.
+    Note,
+    /// Words about Rust.
+    Rust,
+    /// The name of a test.
+    ByHand,
+}
+
+/// The HTML of a note: `{{#note words}}`, `{{#rust words}}` or `{{#by-hand test}}`.
+pub fn html(kind: NoteKind, words: &str, values: &Values) -> ChapterResult<String> {
+    let (class, label) = match kind {
+        NoteKind::Note => ("note", ""),
+        NoteKind::Rust => ("note rust", "<strong>New Rust here</strong> "),
+        NoteKind::ByHand => {
+            let name = markdown::code_with_break_hints(words);
+            return Ok(format!("<p class=\"by-hand\" role=\"note\">Test: {name}</p>\n"));
         }
-        _ => return None,
     };
-    let class = if label.is_empty() { "note" } else { "note rust" };
-    Some(
-        markdown::inline_html(directive.words, values).map(|words| {
-            format!("<aside class=\"{class}\" role=\"note\">{label}{words}</aside>\n")
-        }),
-    )
+    let words = markdown::inline_html(words, values)?;
+    Ok(format!("<aside class=\"{class}\" role=\"note\">{label}{words}</aside>\n"))
 }
 
 /// Finds the ranges of the chapter that each cover a block and the notes after it. A heading can't
@@ -48,7 +53,7 @@ pub fn find_noted_blocks(text: &str, events: &[(Event, Range<usize>)]) -> Vec<Ra
                 }
                 let directive = Directive::parse(&text[range.clone()]);
                 let kind = directive.filter(|_| *tag == Tag::Paragraph).map(|found| found.kind);
-                if !matches!(kind, Some("note" | "rust" | "by-hand")) {
+                if !matches!(kind, Some(DirectiveKind::Note(_))) {
                     block = can_have_notes(tag, kind).then(|| range.clone());
                 } else if let Some(block) = &mut block {
                     noted.pop_if(|last| last.start == block.start);
@@ -66,9 +71,10 @@ pub fn find_noted_blocks(text: &str, events: &[(Event, Range<usize>)]) -> Vec<Ra
 
 /// Whether notes may follow a block. If the block is a paragraph with a single directive, `kind` is
 /// that directive's kind.
-fn can_have_notes(tag: &Tag, kind: Option<&str>) -> bool {
+fn can_have_notes(tag: &Tag, kind: Option<DirectiveKind>) -> bool {
+    use DirectiveKind::{Check, Figure, Number, Value};
     match tag {
-        Tag::Paragraph => matches!(kind, None | Some("figure" | "check" | "value" | "number")),
+        Tag::Paragraph => matches!(kind, None | Some(Figure | Check | Value | Number)),
         Tag::List(_) | Tag::Table(_) | Tag::CodeBlock(_) | Tag::BlockQuote(_) => true,
         _ => false,
     }

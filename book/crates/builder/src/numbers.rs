@@ -1,7 +1,7 @@
 //! The numbers in a text: values, which are computed when the book is built, and live numbers,
 //! which the page updates while the reader changes a figure.
 
-use crate::directive::{Directive, replace_directives};
+use crate::directive::{Directive, DirectiveKind, replace_directives};
 use crate::fault::{ChapterError, ChapterResult};
 use crate::values::{Notation, Values};
 
@@ -13,8 +13,8 @@ pub fn fill_in_text(text: &str, values: &Values) -> ChapterResult<String> {
 /// The HTML of the number that a directive in a text stands for.
 pub fn number_html(directive: Directive, values: &Values) -> ChapterResult<String> {
     match directive.kind {
-        "value" => values.text(directive.words, Notation::Prose),
-        "number" => live_number_html("span", directive.words, values),
+        DirectiveKind::Value => values.text(directive.words, Notation::Prose),
+        DirectiveKind::Number => live_number_html("span", directive.words, values),
         _ => Err(ChapterError::MisplacedDirective(directive.to_string())),
     }
 }
@@ -22,8 +22,8 @@ pub fn number_html(directive: Directive, values: &Values) -> ChapterResult<Strin
 /// Fills in `{{#value name}}` in code.
 pub fn fill_in_code(code: &str, values: &Values) -> ChapterResult<String> {
     replace_directives(code, |directive| match directive.kind {
-        "value" => values.text(directive.words, Notation::Code),
-        "number" => Err(ChapterError::NumberInCode(directive.to_string())),
+        DirectiveKind::Value => values.text(directive.words, Notation::Code),
+        DirectiveKind::Number => Err(ChapterError::NumberInCode(directive.to_string())),
         _ => Err(ChapterError::MisplacedDirective(directive.to_string())),
     })
 }
@@ -39,8 +39,8 @@ pub fn fill_in_formula(
 ) -> ChapterResult<String> {
     let mut live_numbers = vec![];
     let latex = replace_directives(latex, |directive| match directive.kind {
-        "value" => values.text(directive.words, Notation::Code),
-        "number" => {
+        DirectiveKind::Value => values.text(directive.words, Notation::Code),
+        DirectiveKind::Number => {
             live_numbers.push(directive.words.to_owned());
             Ok(format!("\\text{{live{}}}", live_numbers.len() - 1))
         }

@@ -38,7 +38,7 @@ impl Site {
     /// The pages in the order of the table of contents.
     ///
     /// `index.html` is left out, since it repeats the first page.
-    pub fn chapters_in_order(&self) -> Vec<&Page> {
+    pub fn pages_in_order(&self) -> Vec<&Page> {
         let page = &self.pages["index.html"];
         let contents = page.elements.iter().find(|element| element.attr("id") == Some("contents"));
         let links = page.descendants(contents.expect("a list of contents")).iter();

@@ -1,7 +1,7 @@
 //! Problems to solve on paper, and the sheet that repeats the problems from all chapters.
 
 use crate::fault::{ChapterError, ChapterResult};
-use crate::folded_box;
+use crate::folded_box::{self, BoxKind};
 use crate::values::Values;
 
 /// The maximum number of words in a problem's text.
@@ -71,7 +71,7 @@ pub struct OpenProblem {
     /// The end of the first line.
     text_start: Position,
     /// The start of the answer.
-    text_end: Option<Position>,
+    answer_start: Option<Position>,
     /// The start and end of the first bold words in the answer.
     bold_start: Option<Position>,
     bold_end: Option<Position>,
@@ -79,22 +79,22 @@ pub struct OpenProblem {
 
 impl OpenProblem {
     pub fn new(heading: Option<Heading>, start: usize, text_start: Position) -> Self {
-        Self { heading, start, text_start, text_end: None, bold_start: None, bold_end: None }
+        Self { heading, start, text_start, answer_start: None, bold_start: None, bold_end: None }
     }
 
-    pub fn begin_answer(&mut self, position: Position) {
-        self.text_end = Some(position);
+    pub fn record_answer_start(&mut self, position: Position) {
+        self.answer_start = Some(position);
     }
 
     /// Records where bold words begin, if they are the first in the answer.
-    pub fn begin_bold_words(&mut self, position: Position) {
-        if self.text_end.is_some() {
+    pub fn record_bold_start(&mut self, position: Position) {
+        if self.answer_start.is_some() {
             self.bold_start.get_or_insert(position);
         }
     }
 
     /// Records where bold words end, if they are the first in the answer.
-    pub fn end_bold_words(&mut self, position: Position) {
+    pub fn record_bold_end(&mut self, position: Position) {
         if self.bold_start.is_some() {
             self.bold_end.get_or_insert(position);
         }
@@ -103,7 +103,7 @@ impl OpenProblem {
     /// Completes the problem when its `{{#end}}` is reached. Returns None if it has no answer or
     /// its first line is an error, both of which have already been reported.
     pub fn finish(self, text: &str, expanded: &str) -> Option<ChapterResult<Problem>> {
-        let (start, end) = (self.text_start, self.text_end?);
+        let (start, end) = (self.text_start, self.answer_start?);
         let heading = self.heading?;
         let words = text[start.in_text..end.in_text].split_whitespace();
         if words.count() > MAX_WORDS {
@@ -137,8 +137,7 @@ pub fn sheet_markdown(
             answers += &format!("<div class=\"answer\">{link}\n\n{result}\n\n</div>\n\n");
         }
     }
-    let answer_box = folded_box::opening_html("answer", "to each problem", values).transpose()?;
-    let answer_box = answer_box.unwrap_or_default();
+    let answer_box = folded_box::opening_html(BoxKind::Answer, "to each problem", values)?;
     Ok(format!("{problems}## Answers {{#answers}}\n\n{answer_box}\n{answers}</details>\n"))
 }
 

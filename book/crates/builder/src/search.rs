@@ -18,11 +18,11 @@ pub const READER_WORDS: &str = include_str!("../search_words.txt");
 pub fn index_script(site: &Site, reader_words: &str) -> Result<String> {
     let ReaderWords { mut phrases, hints, synonyms } = ReaderWords::parse(reader_words);
     let mut addresses = BTreeSet::new();
-    let pages = site.chapters_in_order().into_iter().map(|page| {
+    let pages = site.pages_in_order().into_iter().map(|page| {
         let sections = sections(page).map(|[id, title, prose, listings]| {
             let address = format!("{}#{id}", page.name);
             let mut phrases = phrases.remove(&*address).unwrap_or_default();
-            phrases.extend(effects(page, &id));
+            phrases.extend(alt_texts_of_links_to(page, &id));
             addresses.insert(address);
             (id, title, prose, listings, phrases)
         });
@@ -80,7 +80,7 @@ fn split_at_commas(phrases: &str) -> impl Iterator<Item = &str> {
 }
 
 /// What the pictures show that link to a section, which are those of the gallery of mistakes.
-fn effects<'a>(page: &'a Page, id: &str) -> Vec<&'a str> {
+fn alt_texts_of_links_to<'a>(page: &'a Page, id: &str) -> Vec<&'a str> {
     let leads_here = |link: &&Element| {
         link.tag == "a" && link.attr("href").and_then(|href| href.strip_prefix('#')) == Some(id)
     };

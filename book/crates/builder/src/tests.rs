@@ -129,7 +129,8 @@ fn what_leads_nowhere_or_fetches_from_elsewhere_is_a_fault() {
     let page = Page::parse("a.html", include_str!("tests/links.html"));
     let files = Files([("a.html".to_owned(), vec![])].into());
     let site = Site { files, pages: [("a.html".to_owned(), page)].into() };
-    let faults: Vec<_> = links::find_faults(&site).iter().map(ToString::to_string).collect();
+    let faults: Vec<_> =
+        links::find_address_faults(&site).iter().map(ToString::to_string).collect();
     insta::assert_snapshot!(faults.join("\n"));
 }
 

@@ -43,7 +43,7 @@ impl Values {
         let text = match name.split_once(':') {
             Some(("R_d", object)) => diffuse_reflectance_text(object),
             Some((figure, readout)) => self.readout(figure, readout),
-            None => count(name).map(format_count),
+            None => measured_count(name).map(format_count),
         };
         let text = text.ok_or_else(|| ChapterError::UnknownValue(name.to_owned()))?;
         Ok(match notation {
@@ -55,7 +55,7 @@ impl Values {
     /// Returns a figure's readout for the default parameters, such as `D`. For a picture with a
     /// probe, the readout may name a pixel first, such as `470,120:t`.
     fn readout(&self, figure_name: &str, readout: &str) -> Option<String> {
-        let figure = figures::find(figure_name)?;
+        let figure = figures::find_figure(figure_name)?;
         let (pixel, readout) = match readout.split_once(':').filter(|_| figure.probe().is_some()) {
             Some((pixel, readout)) => (Some(pixel), readout),
             None => (None, readout),
@@ -84,7 +84,7 @@ fn compute_readouts(figure: &Figure, pixel: Option<&str>) -> Option<Readouts> {
 }
 
 /// Returns the count with this name.
-fn count(name: &str) -> Option<usize> {
+fn measured_count(name: &str) -> Option<usize> {
     Some(match name {
         "step02-touches" => count_rays(|ray| discriminant(&SPHERE, ray) == 0.0),
         "step02-normalised" => {

@@ -8,7 +8,7 @@
 use crate::comparison::{Budget, Comparison, Pixel};
 use crate::number_format::with_minus;
 use crate::step_scene::StepScene;
-use course::{Step, camera};
+use course::{PICTURE_ROWS, Step, camera};
 use std::ops::RangeInclusive;
 use step01_rays::Camera;
 
@@ -73,7 +73,8 @@ impl MatrixNumber {
 /// the height of the view. Each comes with a description of the formula.
 fn written_cameras() -> Vec<(Camera, String)> {
     let ours = camera();
-    let (tan, h_res, v_res) = (-ours.matrix.z_axis.x, 640.0, 360.0);
+    let tan = -ours.matrix.z_axis.x;
+    let (h_res, v_res) = (f64::from(ours.h_res), f64::from(ours.v_res));
     let mut cameras = vec![];
     let divisors = [
         ("hRes", h_res),
@@ -126,8 +127,10 @@ fn values_from_sky(comparison: &Comparison, scene: &StepScene, number: MatrixNum
     }
     // Each candidate is a start plus a round multiple of a unit. These pairs make it a round
     // number, a round multiple of ours, or ours moved by a round number of pixels.
-    let pixel = if number.column == 2 { matrix.col(number.row)[number.row] } else { ours };
-    let starts_and_units = [(0.0, 1.0), (0.0, ours), (ours, pixel)];
+    // From one pixel to the next, x changes by the x of D_u, and y by the y of D_v.
+    let pixel_steps = [matrix.x_axis.x, matrix.y_axis.y];
+    let pixel_step = if number.column == 2 { pixel_steps[number.row] } else { ours };
+    let starts_and_units = [(0.0, 1.0), (0.0, ours), (ours, pixel_step)];
     let middle = (bounds.start() + bounds.end()) / 2.0;
     let values = (0..8).flat_map(|digits| {
         let scale = 10_f64.powi(digits);
@@ -150,7 +153,7 @@ fn bound_by_sky(
     let (mut least, mut most) = (f64::NEG_INFINITY, f64::INFINITY);
     // We take a pixel for sky if its blue is 255 and the channel that doesn't depend on the number
     // equals ours. A highlight may look the same, but hardly in the upper third of the picture.
-    let rows = if scene.step < Step::Diffuse { 0..360 } else { 0..120 };
+    let rows = if scene.step < Step::Diffuse { 0..PICTURE_ROWS } else { 0..PICTURE_ROWS / 3 };
     let is_sky = |pixel: &&Pixel| {
         let Pixel { yours, ours, hit, .. } = pixel;
         hit.is_none() && yours[2] == 255 && yours[1 - row] == ours[1 - row]

@@ -5,7 +5,7 @@ use crate::png_file::{DecodedPng, PngError, read_png};
 use crate::reader_picture::ReaderPicture;
 use crate::target::{Target, find_name_in_file_name};
 use crate::{Answer, ComparedPictures, ReadFileError, Verdict, escape_for_terminal};
-use course::locked_names;
+use course::names_of_right_pictures;
 use image::RgbImage;
 use std::error;
 use thiserror::Error;
@@ -47,7 +47,7 @@ pub fn check_png<E: Into<Box<dyn error::Error + Send + Sync>>>(
     let DecodedPng { rgb, is_transparent, notes } = decode(png, file_name)?;
     let yours = ReaderPicture::new(rgb);
     let name = expected_name
-        .or_else(|| find_name_in_file_name(file_name, locked_names().into_iter()))
+        .or_else(|| find_name_in_file_name(file_name, names_of_right_pictures().into_iter()))
         .or_else(|| yours.find_equal())
         .or_else(|| yours.find_mistakes().first().map(|(_, name)| *name))
         .ok_or(CheckError::UnknownName)?;

@@ -7,7 +7,7 @@ use check::{
 };
 use clap::builder::{NonEmptyStringValueParser, PossibleValuesParser, TypedValueParser};
 use clap::{ArgGroup, Parser};
-use course::{json, locked_names, read_locked_picture};
+use course::{json, names_of_right_pictures, read_locked_picture};
 use image::RgbImage;
 use std::error::Error;
 use std::io::{self, Write};
@@ -23,7 +23,7 @@ use std::{env, fs};
 /// The exit code is 0 if everything is right, 1 if something is wrong, and 2 if
 /// something is missing, unreadable or, with --in, not looked at.
 #[derive(Parser)]
-#[command(name = "check", after_help = format!("Names: {}", locked_names().join(", ")))]
+#[command(name = "check", after_help = format!("Names: {}", names_of_right_pictures().join(", ")))]
 #[command(group = ArgGroup::new("use_of_names").args(["folder", "out"]))]
 struct Arguments {
     /// The PNG file to check
@@ -69,7 +69,7 @@ struct Arguments {
 }
 
 fn locked_name_parser() -> PossibleValuesParser {
-    PossibleValuesParser::new(locked_names())
+    PossibleValuesParser::new(names_of_right_pictures())
 }
 
 /// The output of the program if it succeeds.
@@ -188,14 +188,21 @@ fn run(arguments: Arguments) -> Result<Output, Box<dyn Error + Send + Sync>> {
 
 /// Returns the pictures given with `--require`, in the order of the locked pictures.
 fn required_names(require: &[String]) -> Vec<&'static str> {
-    locked_names().into_iter().filter(|name| require.iter().any(|one| one == name)).collect()
+    names_of_right_pictures()
+        .into_iter()
+        .filter(|name| require.iter().any(|one| one == name))
+        .collect()
 }
 
 /// Checks one picture. If there is a difference to show, saves a picture of it.
-fn check_file(file: &Path, name: Option<&str>, scene: Option<&str>) -> Result<Answer, CheckError> {
+fn check_file(
+    file: &Path,
+    name: Option<&str>,
+    scene_owner: Option<&str>,
+) -> Result<Answer, CheckError> {
     let (png, file_name) = (read_bounded_file(file)?, file.display().to_string());
-    let mut answer = match scene {
-        Some(scene) => check_scene_png(&png, &file_name, scene)?,
+    let mut answer = match scene_owner {
+        Some(owner) => check_scene_png(&png, &file_name, owner)?,
         None => check_png(&png, &file_name, name, read_locked_picture)?,
     };
     if let Some(difference) = answer.draw_difference() {

@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 /// Formats a number with four decimals and a typographic minus, such as `−0.5000`.
-pub(crate) fn format_number(number: f64) -> String {
+pub(crate) fn format_four_decimals(number: f64) -> String {
     match format!("{number:.4}").as_str() {
         "-0.0000" => "0.0000".to_owned(),
         text => with_minus(text),
@@ -11,8 +11,8 @@ pub(crate) fn format_number(number: f64) -> String {
 }
 
 /// Formats a vector with four decimals, such as `(0.0000, −0.5000, 1.0000)`.
-pub(crate) fn format_vector(vector: DVec3) -> String {
-    format!("({})", vector.to_array().map(format_number).join(", "))
+pub(crate) fn format_vector_four_decimals(vector: DVec3) -> String {
+    format!("({})", vector.to_array().map(format_four_decimals).join(", "))
 }
 
 /// Formats one number as `-2.5`, or several as `(1, -2.5, 0)`, as they are typed in Rust.
@@ -33,12 +33,15 @@ mod tests {
 
     #[test]
     fn number_has_four_decimals_and_a_minus_if_it_is_negative() {
-        assert_eq!(format_number(-0.5), "−0.5000");
-        assert_eq!(format_number(2.0 / 3.0), "0.6667");
-        assert_eq!(format_number(-0.000_06), "−0.0001");
-        assert_eq!(format_number(-0.000_04), "0.0000");
-        assert_eq!(format_number(-0.0), "0.0000");
-        assert_eq!(format_vector(DVec3::new(0.0, -0.5, 1.0)), "(0.0000, −0.5000, 1.0000)");
+        assert_eq!(format_four_decimals(-0.5), "−0.5000");
+        assert_eq!(format_four_decimals(2.0 / 3.0), "0.6667");
+        assert_eq!(format_four_decimals(-0.000_06), "−0.0001");
+        assert_eq!(format_four_decimals(-0.000_04), "0.0000");
+        assert_eq!(format_four_decimals(-0.0), "0.0000");
+        assert_eq!(
+            format_vector_four_decimals(DVec3::new(0.0, -0.5, 1.0)),
+            "(0.0000, −0.5000, 1.0000)"
+        );
     }
 
     #[test]

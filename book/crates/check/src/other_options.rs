@@ -4,12 +4,13 @@
 use crate::comparison::{Budget, scattered_positions};
 use crate::step_scene::StepScene;
 use crate::transformed::uniform_colour;
+use course::{FOV_DEGREES, PICTURE_COLUMNS, PICTURE_ROWS};
 use image::RgbImage;
 use std::iter;
 use step01_rays::{Camera, mean_colour, rgb8, sub_pixel_offsets};
 
 /// The columns and rows of a picture that is drawn with the default options.
-const DEFAULT_SIZE: (u32, u32) = (640, 360);
+const DEFAULT_SIZE: (u32, u32) = (PICTURE_COLUMNS, PICTURE_ROWS);
 
 /// The maximum number of rays for comparing a picture with one choice of options. All choices
 /// together may take twice as many.
@@ -151,7 +152,7 @@ pub(crate) fn find_options(scene: &StepScene, yours: &RgbImage) -> Option<Option
 /// Returns angles in degrees: the default, then whole numbers, then numbers with one decimal.
 fn plain_angles() -> impl Iterator<Item = f64> {
     let tenths = (1..1800).filter(|number| number % 10 != 0).map(|number| f64::from(number) / 10.0);
-    iter::once(60.0).chain((1..180).map(f64::from)).chain(tenths)
+    iter::once(FOV_DEGREES).chain((1..180).map(f64::from)).chain(tenths)
 }
 
 /// Returns angles with two and three decimals that fit the upper half of a picture's border, if

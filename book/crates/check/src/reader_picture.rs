@@ -1,6 +1,6 @@
 //! The picture that a reader has drawn.
 
-use course::{Mistake, find_mistakes_with_hash, hash_picture, locked_hashes};
+use course::{Mistake, find_mistakes_with_hash, hash_picture, hashes_of_right_pictures};
 use image::RgbImage;
 use std::cell::OnceCell;
 
@@ -30,7 +30,7 @@ impl ReaderPicture {
     /// Finds the locked picture that equals this one, and returns its name.
     pub fn find_equal(&self) -> Option<&'static str> {
         let hash = self.hash()?;
-        locked_hashes().find(|(_, locked)| *locked == hash).map(|(name, _)| name)
+        hashes_of_right_pictures().find(|(_, locked)| *locked == hash).map(|(name, _)| name)
     }
 
     /// Finds the listed mistakes that produce this picture, likeliest first. Each comes with the

@@ -24,9 +24,9 @@ pub(crate) fn undrawn_sentence(comparison: &Comparison) -> Option<String> {
 }
 
 fn black_sentence(comparison: &Comparison) -> Option<String> {
-    let mask = Mask::new_with_enough(comparison, BLACK)?;
+    let mask = Mask::of_colour_if_common(comparison, BLACK)?;
     let Comparison { wrong, right, target, .. } = comparison;
-    let (count, has_scene) = (mask.count(), target.scene.is_some());
+    let (count, has_scene) = (mask.inside_count(), target.scene.is_some());
     if let Some(Shape { words, cause }) = mask.find_shape() {
         let is_undrawn = match cause {
             ShapeCause::Loop => true,
@@ -48,9 +48,9 @@ fn black_sentence(comparison: &Comparison) -> Option<String> {
 }
 
 fn white_sentence(comparison: &Comparison) -> Option<String> {
-    let mask = Mask::new_with_enough(comparison, WHITE)?;
+    let mask = Mask::of_colour_if_common(comparison, WHITE)?;
     let Shape { words, .. } = mask.find_shape()?;
-    Some(format!("{} wrong pixels are white: {words}.", mask.count()))
+    Some(format!("{} wrong pixels are white: {words}.", mask.inside_count()))
 }
 
 /// A simple shape of pixels that may be undrawn.
@@ -91,13 +91,13 @@ struct Mask {
 
 impl Mask {
     /// Creates the mask for a colour. Returns None if too few wrong pixels have that colour.
-    fn new_with_enough(comparison: &Comparison, colour: [u8; 3]) -> Option<Self> {
+    fn of_colour_if_common(comparison: &Comparison, colour: [u8; 3]) -> Option<Self> {
         let has_colour = |pixel: &&Pixel| pixel.yours == colour;
         let count = comparison.wrong.iter().filter(has_colour).count();
-        (count >= LEAST_PIXELS).then(|| Self::new(comparison, colour))
+        (count >= LEAST_PIXELS).then(|| Self::of_colour(comparison, colour))
     }
 
-    fn new(comparison: &Comparison, colour: [u8; 3]) -> Self {
+    fn of_colour(comparison: &Comparison, colour: [u8; 3]) -> Self {
         let (columns, rows) = comparison.target.picture.dimensions();
         let mut memberships = vec![Membership::Outside; columns as usize * rows as usize];
         let has_colour = |pixel: &&Pixel| pixel.yours == colour;
@@ -120,13 +120,13 @@ impl Mask {
         })
     }
 
-    fn inside(&self) -> impl Iterator<Item = (u32, u32)> {
+    fn inside_positions(&self) -> impl Iterator<Item = (u32, u32)> {
         let inside = self.pixels().filter(|(_, _, membership)| *membership == Membership::Inside);
         inside.map(|(i, j, _)| (i, j))
     }
 
-    fn count(&self) -> usize {
-        self.inside().count()
+    fn inside_count(&self) -> usize {
+        self.inside_positions().count()
     }
 
     /// Whether a shape contains all pixels that are inside and none that are outside.
@@ -147,7 +147,7 @@ impl Mask {
         let shapes = [
             Self::find_border,
             Self::find_crossings,
-            Self::find_rest,
+            Self::find_all_except_crossings,
             Self::find_rectangles,
             Self::find_stride,
             Self::find_diagonals,
@@ -191,17 +191,20 @@ impl Mask {
     /// Finds all crossings of certain columns with certain rows, such as every other row or a
     /// rectangle.
     fn find_crossings(&self) -> Option<Shape> {
-        let columns: BTreeSet<_> = self.inside().map(|(i, _)| i).collect();
-        let rows: BTreeSet<_> = self.inside().map(|(_, j)| j).collect();
+        let columns: BTreeSet<_> = self.inside_positions().map(|(i, _)| i).collect();
+        let rows: BTreeSet<_> = self.inside_positions().map(|(_, j)| j).collect();
         let is_crossing = |i: u32, j: u32| columns.contains(&i) && rows.contains(&j);
         let is_shape = self.is_shape(is_crossing);
-        let words = join(&self.format_lines("column", &columns), &self.format_lines("row", &rows));
+        let words = join_columns_and_rows(
+            &self.format_lines("column", &columns),
+            &self.format_lines("row", &rows),
+        );
         is_shape.then_some(Shape { words: words?, cause: ShapeCause::Loop })
     }
 
     /// Finds everything except the crossings of certain columns with certain rows, such as lines
     /// between tiles.
-    fn find_rest(&self) -> Option<Shape> {
+    fn find_all_except_crossings(&self) -> Option<Shape> {
         let columns: BTreeSet<_> = (0..self.columns).collect();
         let rows: BTreeSet<_> = (0..self.rows).collect();
         let outside =
@@ -238,7 +241,7 @@ impl Mask {
                 rest[index(left, j)..=index(right, j)].fill(Membership::Either);
             }
             let [columns, rows] = [left..=right, top..=bottom].map(BTreeSet::from_iter);
-            words.push(join(
+            words.push(join_columns_and_rows(
                 &self.format_lines("column", &columns),
                 &self.format_lines("row", &rows),
             )?);
@@ -271,7 +274,7 @@ impl Mask {
     /// Numbers the pixels with `number`, and finds the smallest period for which the shape is made
     /// up of all pixels with certain remainders. Returns the period and these remainders.
     fn find_period(&self, number: impl Fn(u32, u32) -> u32) -> Option<(u32, BTreeSet<u32>)> {
-        let inside: Vec<_> = self.inside().map(|(i, j)| number(i, j)).collect();
+        let inside: Vec<_> = self.inside_positions().map(|(i, j)| number(i, j)).collect();
         (2..=LARGEST_PERIOD).find_map(|period| {
             let remainders: BTreeSet<_> = inside.iter().map(|number| number % period).collect();
             let is_shape = self.is_shape(|i, j| remainders.contains(&(number(i, j) % period)));
@@ -298,7 +301,7 @@ impl Mask {
 
 /// Joins the descriptions of columns and rows, as in `columns 3 to 9 of row 2`. Returns None if
 /// there are neither.
-fn join(columns: &Option<String>, rows: &Option<String>) -> Option<String> {
+fn join_columns_and_rows(columns: &Option<String>, rows: &Option<String>) -> Option<String> {
     let both = [columns, rows].into_iter().flatten().map(String::as_str);
     let both: Vec<_> = both.collect();
     (!both.is_empty()).then(|| both.join(" of "))
@@ -327,7 +330,7 @@ mod tests {
     use super::*;
 
     /// A mask with ten rows.
-    fn mask(columns: u32, contains: impl Fn(u32, u32) -> bool) -> Mask {
+    fn mask_with_ten_rows(columns: u32, contains: impl Fn(u32, u32) -> bool) -> Mask {
         let pixels = (0..10).flat_map(|j| (0..columns).map(move |i| (i, j)));
         let membership = |(i, j)| match contains(i, j) {
             true => Membership::Inside,
@@ -338,7 +341,7 @@ mod tests {
 
     #[test]
     fn lines_are_named_by_their_first_their_last_and_their_step() {
-        let mask = mask(12, |_, _| true);
+        let mask = mask_with_ten_rows(12, |_, _| true);
         let format =
             |word, lines: &[u32]| mask.format_lines(word, &lines.iter().copied().collect());
         assert_eq!(format("row", &[3]).as_deref(), Some("row 3"));
@@ -370,7 +373,7 @@ mod tests {
     #[test]
     fn shape_is_the_first_that_fits() {
         let words = |contains: fn(u32, u32) -> bool| {
-            mask(12, contains).find_shape().map(|shape| shape.words)
+            mask_with_ten_rows(12, contains).find_shape().map(|shape| shape.words)
         };
         assert_eq!(words(|_, _| true), None);
         assert_eq!(words(|_, j| j == 4).as_deref(), Some("row 4"));
@@ -384,7 +387,7 @@ mod tests {
         );
         let pixels = "every 7th pixel, counted row by row";
         assert_eq!(words(|i, j| (12 * j + i) % 7 == 2).as_deref(), Some(pixels));
-        let wide = mask(40, |i, j| (i + 10 - j) % 5 == 1).find_shape();
+        let wide = mask_with_ten_rows(40, |i, j| (i + 10 - j) % 5 == 1).find_shape();
         let falling = "every 5th diagonal, falling to the right";
         assert!(wide.is_some_and(|shape| shape.words == falling));
         assert_eq!(words(|i, j| (i * i + 3 * j) % 11 == 0), None);

@@ -1,7 +1,7 @@
 //! The one wrong pixel that an answer shows in full.
 
 use crate::comparison::{Comparison, Pixel};
-use crate::number_format::{format_number, format_vector};
+use crate::number_format::{format_four_decimals, format_vector_four_decimals};
 use crate::step_scene::{ObjectHit, StepScene};
 use course::Step;
 use step05_phong::{Ray, normal};
@@ -18,7 +18,7 @@ pub(crate) fn describe_wrong_pixel(Comparison { target, farthest, .. }: &Compari
 /// colon.
 fn computed_values(scene: &StepScene, ray: &Ray, hit: Option<ObjectHit>) -> String {
     let Some(hit) = hit else {
-        return format!(": the sky, V = {}", format_vector(ray.direction));
+        return format!(": the sky, V = {}", format_vector_four_decimals(ray.direction));
     };
     let mut text = format!(": {} at t = {:.4}", scene.object_names()[hit.object], hit.t);
     if scene.step < Step::Diffuse {
@@ -26,19 +26,19 @@ fn computed_values(scene: &StepScene, ray: &Ray, hit: Option<ObjectHit>) -> Stri
     }
     let p = ray.at(hit.t);
     let n = normal(&scene.own.scene.objects[hit.object].sphere, p);
-    text += &format!(", n = {}", format_vector(n));
+    text += &format!(", n = {}", format_vector_four_decimals(n));
     for (light, name) in scene.own.scene.lights.iter().zip(scene.light_names) {
         let (l, d) = light.point_light.direction_from(p);
-        text += &format!("; {name}: n·l = {}, d = {d:.4}", format_number(n.dot(l)));
+        text += &format!("; {name}: n·l = {}, d = {d:.4}", format_four_decimals(n.dot(l)));
     }
     let terms = scene.terms_at_hit(ray, hit);
     text += &format!(
         ";\n  I_a = {}, I_d = {}",
-        format_vector(terms.ambient),
-        format_vector(terms.diffuse)
+        format_vector_four_decimals(terms.ambient),
+        format_vector_four_decimals(terms.diffuse)
     );
     if scene.step == Step::Phong {
-        text += &format!(", I_s = {}", format_vector(terms.specular));
+        text += &format!(", I_s = {}", format_vector_four_decimals(terms.specular));
     }
     text
 }

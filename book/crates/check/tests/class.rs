@@ -1,7 +1,9 @@
 //! Tests the reports on a class and on a reader's own pictures, and the sheets for a class.
 
 use crate::program::{run_check, write_files};
-use crate::{assert_locked, create_empty_folder, draw_scene, encode, locked_file, map_locked};
+use crate::{
+    assert_locked, create_empty_folder, draw_named_scene, encode, locked_file, map_locked,
+};
 use course::{Step, camera_with_fov, camera_with_size};
 use std::fs;
 use std::path::Path;
@@ -176,7 +178,7 @@ fn read_folder(folder: &Path) -> Vec<(String, String)> {
 #[test]
 fn sheets_are_as_locked() {
     let folder = create_empty_folder("sheets");
-    let dora = encode(draw_scene("D\u{f6}ra"));
+    let dora = encode(draw_named_scene("D\u{f6}ra"));
     write_files(
         &folder,
         [

@@ -27,7 +27,7 @@ fn run_shell(folder: &Path, lines: &str) {
 
 /// Turns the files of a download into folders, using the shell commands for its platform, and
 /// returns the report on them.
-fn report<const COUNT: usize>(
+fn report_on_download<const COUNT: usize>(
     platform: &str,
     words: &str,
     files: [(&str, Vec<u8>); COUNT],
@@ -57,7 +57,7 @@ struct Files {
     text: Vec<u8>,
 }
 
-fn files() -> Files {
+fn downloaded_files() -> Files {
     Files {
         rays: locked_file("step01_rays"),
         sphere: locked_file("step02_sphere"),
@@ -75,10 +75,10 @@ const FOLDERS: &str = "**Moodle, D2L Brightspace, Gradescope and GitHub**";
 /// report names it for a person to look at.
 #[test]
 fn made_up_downloads_are_reported_as_locked() {
-    let Files { rays, sphere, flipped, bgr, small, jpeg, text } = files();
+    let Files { rays, sphere, flipped, bgr, small, jpeg, text } = downloaded_files();
     let zip = || b"PK\x03\x04".to_vec();
     let reports = [
-        report(
+        report_on_download(
             "Moodle",
             FOLDERS,
             [
@@ -96,7 +96,7 @@ fn made_up_downloads_are_reported_as_locked() {
                 (".DS_Store", text.clone()),
             ],
         ),
-        report(
+        report_on_download(
             "Moodle without folders",
             "**Moodle without folders**",
             [
@@ -106,7 +106,7 @@ fn made_up_downloads_are_reported_as_locked() {
                 ("notes.txt", text.clone()),
             ],
         ),
-        report(
+        report_on_download(
             "D2L",
             FOLDERS,
             [
@@ -121,7 +121,7 @@ fn made_up_downloads_are_reported_as_locked() {
                 ("index.html", text.clone()),
             ],
         ),
-        report(
+        report_on_download(
             "Gradescope",
             FOLDERS,
             [
@@ -132,7 +132,7 @@ fn made_up_downloads_are_reported_as_locked() {
                 ("submission_metadata.yml", text.clone()),
             ],
         ),
-        report(
+        report_on_download(
             "GitHub",
             FOLDERS,
             [
@@ -147,7 +147,7 @@ fn made_up_downloads_are_reported_as_locked() {
                 ("course-cleo/step02_sphere.png", bgr.clone()),
             ],
         ),
-        report(
+        report_on_download(
             "Canvas",
             "**Canvas**",
             [
@@ -161,7 +161,7 @@ fn made_up_downloads_are_reported_as_locked() {
                 ("readme.txt", text.clone()),
             ],
         ),
-        report(
+        report_on_download(
             "Blackboard",
             "**Blackboard**",
             [
@@ -176,7 +176,7 @@ fn made_up_downloads_are_reported_as_locked() {
                 ),
             ],
         ),
-        report(
+        report_on_download(
             "Google Classroom",
             "**Google Classroom**",
             [

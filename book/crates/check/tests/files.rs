@@ -39,7 +39,7 @@ fn chunk(kind: &[u8; 4], contents: &[u8]) -> Vec<u8> {
 }
 
 /// Returns the title, and the answer about a file that should be the picture of step 2.
-fn answer(title: &str, file: &[u8]) -> (String, String) {
+fn titled_answer(title: &str, file: &[u8]) -> (String, String) {
     let answer = check_png(file, "my.png", Some("step02_sphere"), read_locked_picture);
     (title.to_owned(), format_answer(answer))
 }
@@ -97,7 +97,7 @@ fn other_formats_and_damaged_files_are_as_locked() {
         ("no columns", &with_size(&png, 0, 0)),
         ("more bytes behind it", &[&png[..], b"more"].concat()),
     ];
-    let answers = files.map(|(title, file)| answer(title, file));
+    let answers = files.map(|(title, file)| titled_answer(title, file));
     assert_locked("other_formats_and_damaged_files", answers);
 }
 
@@ -126,5 +126,5 @@ fn other_kinds_of_png_are_as_locked() {
         ("8192 columns", encode((Step::Sphere.picture())(&camera_with_size(8192, 32), 1))),
         ("1 column", encode(RgbImage::new(1, 1))),
     ];
-    assert_locked("other_kinds_of_png", answers.map(|(title, file)| answer(title, &file)));
+    assert_locked("other_kinds_of_png", answers.map(|(title, file)| titled_answer(title, &file)));
 }

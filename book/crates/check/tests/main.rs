@@ -40,7 +40,7 @@ fn draw(colour: impl Fn(&Ray) -> DVec3 + Sync) -> RgbImage {
 }
 
 /// Draws the scene that is generated from a name.
-fn draw_scene(name: &str) -> RgbImage {
+fn draw_named_scene(name: &str) -> RgbImage {
     let scene = named_scene(name);
     draw(|ray| step05_phong::colour(&scene, ray))
 }

@@ -2,7 +2,7 @@
 //! aren't listed, and scenes generated from names.
 
 use crate::{
-    assert_locked, check, draw, draw_scene, encode, format_answer, locked_picture, map_locked,
+    assert_locked, check, draw, draw_named_scene, encode, format_answer, locked_picture, map_locked,
 };
 use check::check_scene_png;
 use course::{Step, camera, ungated_colour};
@@ -207,8 +207,8 @@ fn answers_about_scenes_of_names_are_as_locked() {
     let mut small_ball = ada.clone();
     small_ball.objects[3].sphere.radius = 1.0;
     let rows = [
-        ("right", "ada", draw_scene("ada")),
-        ("different case", "Ada", draw_scene("ada")),
+        ("right", "ada", draw_named_scene("ada")),
+        ("different case", "Ada", draw_named_scene("ada")),
         ("no gate", "ada", draw(|ray| ungated_colour(&ada, ray))),
         ("one number", "ada", draw(|ray| step05_phong::colour(&small_ball, ray))),
         ("the picture of step 5", "ada", locked_picture(PHONG)),

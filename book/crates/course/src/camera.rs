@@ -2,22 +2,29 @@
 
 use step01_rays::{AspectRatio, Camera, Ray};
 
+/// The number of columns of the course's pictures.
+pub const PICTURE_COLUMNS: u32 = 640;
+/// The number of rows of the course's pictures.
+pub const PICTURE_ROWS: u32 = 360;
+/// The field of view of the course's pictures, in degrees.
+pub const FOV_DEGREES: f64 = 60.0;
+
 /// The camera that the course's pictures are taken with: 640 columns, 16:9, 60 degrees.
 pub fn camera() -> Camera {
-    camera_with_size(640, 360)
+    camera_with_size(PICTURE_COLUMNS, PICTURE_ROWS)
 }
 
 /// The rays of [`camera()`], one through each pixel, row by row.
 pub fn primary_rays() -> impl Iterator<Item = Ray> {
     let camera = camera();
-    let pixels = (0..360).flat_map(|j| (0..640).map(move |i| (i, j)));
+    let pixels = (0..PICTURE_ROWS).flat_map(|j| (0..PICTURE_COLUMNS).map(move |i| (i, j)));
     pixels.map(move |(i, j)| camera.ray(i.into(), j.into()))
 }
 
 /// The course's camera with this many columns and rows. The field of view is converted to radians
 /// exactly as the programs convert it: π/3 differs in the last digit.
 pub fn camera_with_size(columns: u32, rows: u32) -> Camera {
-    Camera::new(columns, rows, 60_f64.to_radians())
+    Camera::new(columns, rows, FOV_DEGREES.to_radians())
 }
 
 /// A 16:9 camera with this field of view, in degrees, and this many columns.

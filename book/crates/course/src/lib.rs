@@ -15,7 +15,10 @@
 
 mod camera;
 mod step;
-pub use camera::{camera, camera_with_fov, camera_with_size, primary_rays, slide_camera};
+pub use camera::{
+    FOV_DEGREES, PICTURE_COLUMNS, PICTURE_ROWS, camera, camera_with_fov, camera_with_size,
+    primary_rays, slide_camera,
+};
 pub use step::Step;
 
 pub mod examples;
@@ -27,8 +30,9 @@ mod mistake_table;
 pub use mistake::{Mistake, MistakePicture, ShownMistake, mistakes};
 pub use mistake_files::{MistakeTexts, mistake_texts, provide_mistake_texts};
 pub use mistake_table::{
-    SMALL_SIZE, TableRow, find_mistakes_with_hash, hash_picture, locked_hashes, locked_names,
-    make_small_picture, read_small_pictures, small_pictures_path, table_rows,
+    MistakeTable, RightPicture, SMALL_SIZE, TableError, TableRow, find_mistakes_with_hash,
+    hash_picture, hashes_of_right_pictures, make_small_picture, mistake_table, mistakes_with_rows,
+    names_of_right_pictures, read_small_pictures, small_pictures_path,
 };
 
 mod place;

@@ -1,24 +1,43 @@
 //! The table with a hash of each picture that a mistake produces, and the small pictures that the
 //! book shows. The small pictures for a step are stacked in one file, in the order of the table,
 //! since a change to the scene changes all of them anyway.
+//!
+//! The table is `table.txt`, which `cargo xtask` writes. All its hashes are hexadecimal.
+//!
+//! - `= NAME HASH` is the hash of a right picture.
+//! - `! NAME` is a small picture of the step whose right picture is above it.
+//! - `KEY HASH HASH …` is the row of a mistake: a hash of what its pictures depend on, then one for
+//!   the picture of its step and of each later one. `-` stands for none.
 
 use crate::hash::fnv_1a;
 use crate::mistake_files::mistake_texts;
 use crate::{Mistake, Step, mistakes};
 use image::imageops::{crop_imm, thumbnail};
 use image::{ImageResult, RgbImage};
+use std::fmt::{self, Display, Formatter};
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::sync::OnceLock;
+use thiserror::Error;
 
-fn table_lines() -> std::str::Lines<'static> {
-    mistake_texts().map(|texts| texts.table).unwrap_or_default().lines()
+/// The table of mistakes.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct MistakeTable<'a> {
+    /// The right pictures: those of the steps, then those of the examples.
+    pub right_pictures: Vec<RightPicture<'a>>,
+    /// A row for each mistake, in the order of the list.
+    pub rows: Vec<TableRow>,
 }
 
-/// Hashes a picture: 64-bit FNV-1a of the number of columns, the number of rows and all bytes.
-pub fn hash_picture(picture: &RgbImage) -> u64 {
-    let (columns, rows) = picture.dimensions();
-    let size = [columns, rows].into_iter().flat_map(u32::to_le_bytes);
-    fnv_1a(size.chain(picture.as_raw().iter().copied()))
+/// A right picture in the table.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RightPicture<'a> {
+    /// The name of its snapshot.
+    pub name: &'a str,
+    /// The hash of its pixels.
+    pub hash: u64,
+    /// The names of the small pictures that the book shows of wrong programs of this step.
+    pub small_pictures: Vec<&'a str>,
 }
 
 /// A mistake's row in the table.
@@ -31,35 +50,123 @@ pub struct TableRow {
     pub hashes: Vec<Option<u64>>,
 }
 
-/// Returns the names and hashes of the right pictures.
-pub fn locked_hashes() -> impl Iterator<Item = (&'static str, u64)> {
-    table_lines().filter_map(|line| {
-        let (name, hash) = line.strip_prefix("= ")?.split_once(' ')?;
-        Some((name, u64::from_str_radix(hash, 16).ok()?))
+/// A line of the table that can't be read.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+#[error("line {line} is not `= NAME HASH`, `! NAME` below one, or `KEY HASH …`: {text}")]
+pub struct TableError {
+    line: usize,
+    text: String,
+}
+
+impl<'a> MistakeTable<'a> {
+    /// Parses what [`Display`] writes.
+    pub fn parse(text: &'a str) -> Result<Self, TableError> {
+        let mut table = Self::default();
+        for (index, line) in text.lines().enumerate() {
+            let error = || TableError { line: index + 1, text: line.to_owned() };
+            table.add_line(line).ok_or_else(error)?;
+        }
+        Ok(table)
+    }
+
+    /// Adds what a line says. Returns None if it can't be read.
+    fn add_line(&mut self, line: &'a str) -> Option<()> {
+        if let Some(words) = line.strip_prefix("= ") {
+            let (name, hash) = words.split_once(' ')?;
+            let hash = parse_hash(hash)?;
+            self.right_pictures.push(RightPicture { name, hash, small_pictures: vec![] });
+        } else if let Some(name) = line.strip_prefix("! ") {
+            self.right_pictures.last_mut()?.small_pictures.push(name);
+        } else {
+            let (key, hashes) = line.split_once(' ')?;
+            let parse_or_dash =
+                |hash| if hash == "-" { Some(None) } else { parse_hash(hash).map(Some) };
+            let hashes = hashes.split(' ').map(parse_or_dash).collect::<Option<_>>()?;
+            let key = u32::from_str_radix(key, 16).ok().filter(|_| key.len() == 8)?;
+            self.rows.push(TableRow { key, hashes });
+        }
+        Some(())
+    }
+}
+
+/// Parses a hash of 16 digits. Anything shorter has lost some.
+fn parse_hash(digits: &str) -> Option<u64> {
+    u64::from_str_radix(digits, 16).ok().filter(|_| digits.len() == 16)
+}
+
+/// Writes the text of the table.
+impl Display for MistakeTable<'_> {
+    fn fmt(&self, f: &mut Formatter) -> fmt::Result {
+        for RightPicture { name, hash, small_pictures } in &self.right_pictures {
+            writeln!(f, "= {name} {hash:016x}")?;
+            small_pictures.iter().try_for_each(|name| writeln!(f, "! {name}"))?;
+        }
+        for TableRow { key, hashes } in &self.rows {
+            write!(f, "{key:08x}")?;
+            for hash in hashes {
+                match hash {
+                    Some(hash) => write!(f, " {hash:016x}")?,
+                    None => write!(f, " -")?,
+                }
+            }
+            writeln!(f)?;
+        }
+        Ok(())
+    }
+}
+
+/// The table that is checked in, parsed once. It is empty in a module to which no page has provided
+/// it yet.
+///
+/// # Panics
+///
+/// Panics if a line can't be read. The table is a part of the program.
+pub fn mistake_table() -> &'static MistakeTable<'static> {
+    static EMPTY: MistakeTable = MistakeTable { right_pictures: vec![], rows: vec![] };
+    static TABLE: OnceLock<MistakeTable> = OnceLock::new();
+    let Some(texts) = mistake_texts() else { return &EMPTY };
+    TABLE.get_or_init(|| match MistakeTable::parse(texts.table) {
+        Ok(table) => table,
+        Err(error) => panic!("table.txt, {error}"),
     })
 }
 
-/// Returns the rows of the checked-in table, one for each mistake in the order of the list. Only
-/// this order says which mistake a row belongs to: comparing keys would require the files of the
-/// steps. A test in xtask compares them.
-pub fn table_rows() -> impl Iterator<Item = TableRow> {
-    table_lines().filter_map(|line| {
-        let (key, hashes) = line.split_once(' ')?;
-        let key = u32::from_str_radix(key, 16).ok()?;
-        let hashes = hashes.split(' ').map(|hash| u64::from_str_radix(hash, 16).ok());
-        Some(TableRow { key, hashes: hashes.collect() })
-    })
+/// Pairs each mistake with its row of the checked-in table. Only the order says which mistake a row
+/// belongs to: comparing keys would require the files of the steps. A test in xtask compares them.
+///
+/// # Panics
+///
+/// Panics if there are more mistakes than rows, or fewer.
+pub fn mistakes_with_rows() -> impl Iterator<Item = (&'static Mistake, &'static TableRow)> {
+    let (mistakes, rows) = (mistakes(), &mistake_table().rows);
+    assert_eq!(
+        mistakes.len(),
+        rows.len(),
+        "mistakes and their rows: `cargo xtask` writes the table"
+    );
+    mistakes.iter().zip(rows)
+}
+
+/// Returns the names and hashes of the right pictures.
+pub fn hashes_of_right_pictures() -> impl Iterator<Item = (&'static str, u64)> {
+    mistake_table().right_pictures.iter().map(|picture| (picture.name, picture.hash))
+}
+
+/// Hashes a picture: 64-bit FNV-1a of the number of columns, the number of rows and all bytes.
+pub fn hash_picture(picture: &RgbImage) -> u64 {
+    let (columns, rows) = picture.dimensions();
+    let size = [columns, rows].into_iter().flat_map(u32::to_le_bytes);
+    fnv_1a(size.chain(picture.as_raw().iter().copied()))
 }
 
 /// Finds the mistakes that produce the picture with this hash. Each comes with the name of the
 /// picture that should have been drawn, and occurs once for each such name. The likeliest come
 /// first: those that the book shows, then those that change the least code.
 pub fn find_mistakes_with_hash(hash: u64) -> Vec<(&'static Mistake, &'static str)> {
-    let all = mistakes().iter().zip(table_rows());
-    let mut mistakes_and_names: Vec<_> = all
+    let mut mistakes_and_names: Vec<_> = mistakes_with_rows()
         .flat_map(|(mistake, row)| {
-            let steps = mistake.affected_steps().zip(row.hashes);
-            let steps = steps.filter(move |(_, drawn)| *drawn == Some(hash));
+            let steps = mistake.affected_steps().zip(&row.hashes);
+            let steps = steps.filter(move |(_, drawn)| **drawn == Some(hash));
             steps.map(move |(step, _)| (mistake, step.name()))
         })
         .collect();
@@ -72,8 +179,8 @@ pub fn find_mistakes_with_hash(hash: u64) -> Vec<(&'static Mistake, &'static str
 
 /// Returns the names of all locked pictures: those of the steps, then those of the examples in the
 /// order of their steps.
-pub fn locked_names() -> Vec<&'static str> {
-    locked_hashes().map(|(name, _)| name).collect()
+pub fn names_of_right_pictures() -> Vec<&'static str> {
+    hashes_of_right_pictures().map(|(name, _)| name).collect()
 }
 
 /// The columns and rows of a small picture.
@@ -96,9 +203,8 @@ pub fn read_small_pictures(
     workspace: &Path,
     step: Step,
 ) -> ImageResult<Vec<(&'static str, RgbImage)>> {
-    let right = format!("= {} ", step.name());
-    let lines = table_lines().skip_while(|line| !line.starts_with(&right)).skip(1);
-    let names = lines.map_while(|line| line.strip_prefix("! "));
+    let right = mistake_table().right_pictures.iter().find(|right| right.name == step.name());
+    let names = right.into_iter().flat_map(|right| right.small_pictures.iter().copied());
     let file = fs::read(small_pictures_path(workspace, step))?;
     let all = image::load_from_memory(&file)?.into_rgb8();
     let [columns, rows] = SMALL_SIZE;
@@ -111,12 +217,64 @@ pub fn read_small_pictures(
 mod tests {
     use super::*;
 
+    const TEXT: &str = "\
+= step01_rays 00000000000000ff
+! degrees
+! no-tangent
+= plane 0123456789abcdef
+0000000a 0000000000000001 -
+000000ff -
+";
+
+    #[test]
+    fn table_is_parsed_and_written_again() {
+        let table = MistakeTable::parse(TEXT).expect("a table");
+        let [rays, plane] = &table.right_pictures[..] else { panic!("{table:?}") };
+        assert_eq!((rays.name, rays.hash), ("step01_rays", 255));
+        assert_eq!(
+            (&rays.small_pictures[..], plane.name),
+            (&["degrees", "no-tangent"][..], "plane")
+        );
+        let rows = [(10, vec![Some(1), None]), (255, vec![None])];
+        assert_eq!(table.rows, rows.map(|(key, hashes)| TableRow { key, hashes }));
+        assert_eq!(table.to_string(), TEXT);
+        let checked_in = mistake_texts().expect("a program includes the texts").table;
+        assert!(mistake_table().to_string() == checked_in, "table.txt has lines in another order");
+    }
+
+    #[test]
+    fn line_that_cannot_be_read_is_named() {
+        for line in [
+            "",
+            "= step01_rays",
+            "= step01_rays ff",
+            "= step01_rays 00000000000000fg",
+            "0000000a",
+            "0000000a 1",
+            "0000000a - ",
+            "a 0000000000000001",
+            "<<<<<<< HEAD",
+        ] {
+            let text = format!("{TEXT}{line}\n{TEXT}");
+            let error = MistakeTable::parse(&text).expect_err(line).to_string();
+            assert!(error.starts_with("line 7 is not "), "{error}");
+        }
+        assert!(MistakeTable::parse("! degrees").is_err());
+    }
+
+    #[test]
+    fn row_has_a_hash_for_each_step_that_its_mistake_affects() {
+        for (mistake, row) in mistakes_with_rows() {
+            assert_eq!(row.hashes.len(), mistake.affected_steps().count(), "{}", mistake.title);
+        }
+    }
+
     #[test]
     fn mistakes_are_found_by_their_hashes_and_those_in_the_book_come_first() {
-        for (mistake, row) in mistakes().iter().zip(table_rows()) {
-            for (step, hash) in mistake.affected_steps().zip(row.hashes) {
+        for (mistake, row) in mistakes_with_rows() {
+            for (step, hash) in mistake.affected_steps().zip(&row.hashes) {
                 let Some(hash) = hash else { continue };
-                let found = find_mistakes_with_hash(hash);
+                let found = find_mistakes_with_hash(*hash);
                 assert!(found.contains(&(mistake, step.name())), "{}", mistake.title);
                 let is_shown = |(mistake, _): &(&Mistake, _)| mistake.shown.is_some();
                 assert!(found.is_sorted_by_key(|one| !is_shown(one)), "{}", mistake.title);
@@ -136,6 +294,6 @@ mod tests {
 
     #[test]
     fn locked_names_begin_with_the_steps() {
-        assert_eq!(locked_names()[..Step::NAMES.len()], Step::NAMES);
+        assert_eq!(names_of_right_pictures()[..Step::NAMES.len()], Step::NAMES);
     }
 }

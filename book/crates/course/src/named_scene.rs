@@ -58,7 +58,7 @@ mod tests {
     use super::*;
     use step05_phong::Sphere;
 
-    fn numbers(name: &str) -> Vec<f64> {
+    fn scene_numbers(name: &str) -> Vec<f64> {
         let Scene { objects, lights, .. } = named_scene(name);
         let spheres = objects.iter().flat_map(|object| {
             let centre = object.sphere.centre.to_array();
@@ -71,9 +71,9 @@ mod tests {
 
     #[test]
     fn scene_depends_on_the_name_but_not_on_its_blanks() {
-        assert_eq!(numbers("Ada Lovelace"), numbers("  Ada   Lovelace "));
-        assert_ne!(numbers("Ada Lovelace"), numbers("Ada Lovelacf"));
-        assert_ne!(numbers("Ada Lovelace"), numbers("AdaLovelace"));
+        assert_eq!(scene_numbers("Ada Lovelace"), scene_numbers("  Ada   Lovelace "));
+        assert_ne!(scene_numbers("Ada Lovelace"), scene_numbers("Ada Lovelacf"));
+        assert_ne!(scene_numbers("Ada Lovelace"), scene_numbers("AdaLovelace"));
     }
 
     #[test]

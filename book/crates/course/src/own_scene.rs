@@ -1,8 +1,8 @@
 //! A scene that a reader puts together on a page.
 
-use crate::camera_with_fov;
 use crate::examples::look_at::look_at;
 use crate::examples::mirror::{self, Mirror};
+use crate::{FOV_DEGREES, camera_with_fov};
 use glam::DVec3;
 use image::RgbImage;
 use std::iter::zip;
@@ -30,7 +30,7 @@ impl OwnScene {
     /// The scene as seen by the camera of the five steps, without shadows or mirrors.
     pub fn new(scene: Scene<Material, Light>) -> Self {
         Self {
-            fov_degrees: 60.0,
+            fov_degrees: FOV_DEGREES,
             position: DVec3::ZERO,
             target: DVec3::NEG_Z,
             roll_degrees: 0.0,

@@ -20,3 +20,26 @@ pub fn replace_file(path: &Path, bytes: &[u8]) -> io::Result<()> {
     }
     result
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::env;
+
+    #[test]
+    fn file_is_replaced_and_an_error_leaves_nothing_behind() {
+        let folder = env::temp_dir().join(format!("replace_file-{}", process::id()));
+        let _ = fs::remove_dir_all(&folder);
+        let inner = folder.join("inner");
+        fs::create_dir_all(inner.join("more")).expect("a folder");
+        let file = folder.join(format!("{}.md", "a".repeat(200)));
+        for text in ["old", "new"] {
+            replace_file(&file, text.as_bytes()).expect("a file");
+            assert_eq!(fs::read_to_string(&file).expect("a file"), text);
+        }
+        // A folder that isn't empty can't be replaced by a file.
+        assert!(replace_file(&inner, b"text").is_err());
+        assert_eq!(fs::read_dir(&folder).expect("a folder").count(), 2);
+        fs::remove_dir_all(folder).expect("removed");
+    }
+}

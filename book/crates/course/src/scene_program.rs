@@ -1,7 +1,7 @@
 //! Formats a scene as a Rust program, which the reader saves as an example of step 5. It is the
 //! step's own example `own_scene` with some of its function bodies replaced.
 
-use crate::OwnScene;
+use crate::{FOV_DEGREES, OwnScene};
 use glam::DVec3;
 use std::iter::zip;
 use std::ops::Range;
@@ -41,8 +41,8 @@ fn replace_body(program: &mut String, function: &str, body: &str) {
 
 /// The body of `my_scene`: the scene as an expression.
 fn scene_body(own: &OwnScene) -> String {
-    let objects = lines(own.scene.objects.iter().map(ball_call));
-    let lights = lines(own.scene.lights.iter().map(lamp_call));
+    let objects = indented_lines(own.scene.objects.iter().map(ball_call));
+    let lights = indented_lines(own.scene.lights.iter().map(lamp_call));
     let ambient_light = vector_call(own.scene.ambient_light);
     format!(
         "    Scene {{
@@ -56,7 +56,7 @@ fn scene_body(own: &OwnScene) -> String {
 /// The body of `my_camera`, which may set the field of view and move the camera as `look_at` does.
 fn camera_body(own: &OwnScene) -> String {
     let mut body = String::new();
-    if own.fov_degrees != 60.0 {
+    if own.fov_degrees != FOV_DEGREES {
         let fov = format!("f64::to_radians({:?})", own.fov_degrees);
         body = format!("    let camera = &Camera::new(camera.h_res, camera.v_res, {fov});\n");
     }
@@ -102,7 +102,7 @@ fn mirrors_body(own: &OwnScene) -> String {
 }
 
 /// Formats each item on its own line.
-fn lines(items: impl Iterator<Item = String>) -> String {
+fn indented_lines(items: impl Iterator<Item = String>) -> String {
     let lines: String = items.map(|item| format!("\n            {item},")).collect();
     if lines.is_empty() { lines } else { lines + "\n        " }
 }
@@ -151,7 +151,10 @@ mod tests {
 
     #[test]
     fn items_have_a_line_each() {
-        assert_eq!(lines(["a", "b"].into_iter().map(str::to_owned)).trim(), "a,\n            b,");
-        assert_eq!(lines([].into_iter()), "");
+        assert_eq!(
+            indented_lines(["a", "b"].into_iter().map(str::to_owned)).trim(),
+            "a,\n            b,"
+        );
+        assert_eq!(indented_lines([].into_iter()), "");
     }
 }

@@ -87,11 +87,11 @@ fn parse(figure: &Figure, text: &str, is_strict: bool) -> Result<ParameterValues
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::find;
+    use crate::find_figure;
 
     #[test]
     fn address_has_the_values_that_differ_from_the_defaults() {
-        let figure = find("own_scene").expect("a figure");
+        let figure = find_figure("own_scene").expect("a figure");
         for address in ["", "camera-roll:45", "red-sphere-radius:2,cool-light-on:0"] {
             let values = parse_address(figure, address).expect(address);
             let mut parts: Vec<_> =
@@ -105,7 +105,7 @@ mod tests {
 
     #[test]
     fn address_with_a_number_outside_its_range_is_an_error_and_a_request_takes_the_nearest() {
-        let figure = find("own_scene").expect("a figure");
+        let figure = find_figure("own_scene").expect("a figure");
         let text = "red-sphere-radius:7";
         let error = parse_address(figure, text).expect_err("a radius that is too large");
         assert!(matches!(error, AddressError::NotAllowed { range: [0.05, 3.0], .. }), "{error}");
@@ -118,7 +118,7 @@ mod tests {
 
     #[test]
     fn unknown_parameter_is_named() {
-        let figure = find("row").expect("a figure");
+        let figure = find_figure("row").expect("a figure");
         let error = parse_values(figure, "moon:1").expect_err("no moon");
         assert_eq!(error, AddressError::UnknownParameter("moon".to_owned()));
     }

@@ -36,12 +36,13 @@ impl Drawing {
 
     /// Draws a line through all `points`.
     pub fn path(&mut self, class: &str, points: impl IntoIterator<Item = DVec2>) {
-        self.body += &format!(r#"<path class="{class}" d="{}"></path>"#, commands(points));
+        self.body += &format!(r#"<path class="{class}" d="{}"></path>"#, path_commands(points));
     }
 
     /// Draws the area whose corners are `points`.
     pub fn area(&mut self, class: &str, points: impl IntoIterator<Item = DVec2>) {
-        self.body += &format!(r#"<path class="{class} area" d="{}Z"></path>"#, commands(points));
+        self.body +=
+            &format!(r#"<path class="{class} area" d="{}Z"></path>"#, path_commands(points));
     }
 
     /// Draws a circle.
@@ -97,7 +98,7 @@ impl Drawing {
 }
 
 /// The commands for a path through `points`.
-fn commands(points: impl IntoIterator<Item = DVec2>) -> String {
+fn path_commands(points: impl IntoIterator<Item = DVec2>) -> String {
     let pairs = points.into_iter().map(|DVec2 { x, y }| format!("{x:.2} {y:.2}"));
     format!("M{}", pairs.collect::<Vec<_>>().join("L"))
 }

@@ -106,7 +106,7 @@ impl Figure {
         handle: &Handle,
         position: DVec2,
     ) -> Option<ParameterValues> {
-        let DVec2 { x, y } = (handle.coordinates_at)(values, position);
+        let DVec2 { x, y } = (handle.coordinates_at)(values, position)?;
         let mut new = values.clone();
         new.set(handle.horizontal, x);
         new.set(handle.vertical, y);

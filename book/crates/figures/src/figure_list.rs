@@ -35,7 +35,7 @@ pub static FIGURES: LazyLock<Vec<Figure>> = LazyLock::new(|| {
 });
 
 /// Finds the figure with this name.
-pub fn find(name: &str) -> Option<&'static Figure> {
+pub fn find_figure(name: &str) -> Option<&'static Figure> {
     FIGURES.iter().find(|figure| figure.name == name)
 }
 

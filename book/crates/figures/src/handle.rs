@@ -25,12 +25,12 @@ pub struct Handle {
     /// The handle's position at these values, or None if there is nothing to drag.
     pub locate: Box<Locate>,
     /// The values of `horizontal` and `vertical` that move the handle to a position, or near it. If
-    /// both are the same parameter, the two values are equal.
+    /// both are the same parameter, the two values are equal. None if there is nothing to drag.
     pub coordinates_at: Box<CoordinatesAt>,
 }
 
 type Locate = dyn Fn(&ParameterValues) -> Option<DVec2> + Send + Sync;
-type CoordinatesAt = dyn Fn(&ParameterValues, DVec2) -> DVec2 + Send + Sync;
+type CoordinatesAt = dyn Fn(&ParameterValues, DVec2) -> Option<DVec2> + Send + Sync;
 
 /// What a handle looks like.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -60,7 +60,7 @@ impl Handle {
         words: &'static str,
         [horizontal, vertical]: [ParameterId; 2],
         locate: impl Fn(&ParameterValues) -> Option<DVec2> + Send + Sync + 'static,
-        coordinates_at: impl Fn(&ParameterValues, DVec2) -> DVec2 + Send + Sync + 'static,
+        coordinates_at: impl Fn(&ParameterValues, DVec2) -> Option<DVec2> + Send + Sync + 'static,
     ) -> Self {
         Self {
             words,
@@ -75,14 +75,15 @@ impl Handle {
     }
 
     /// A handle that sets one parameter.
-    pub fn of_one(
+    pub fn of_parameter(
         words: &'static str,
         parameter: ParameterId,
         locate: impl Fn(&ParameterValues) -> DVec2 + Send + Sync + 'static,
         value_at: impl Fn(&ParameterValues, DVec2) -> f64 + Send + Sync + 'static,
     ) -> Self {
-        let value_at =
-            move |values: &ParameterValues, position| DVec2::splat(value_at(values, position));
+        let value_at = move |values: &ParameterValues, position| {
+            Some(DVec2::splat(value_at(values, position)))
+        };
         Self::new(words, [parameter; 2], move |values| Some(locate(values)), value_at)
     }
 
@@ -97,22 +98,22 @@ impl Handle {
         let locate = move |values: &ParameterValues| {
             view.to_drawing(distance * direction_left_of_up(values[parameter]))
         };
-        Self::of_one(words, parameter, locate, move |_, position| {
+        Self::of_parameter(words, parameter, locate, move |_, position| {
             (view.degrees_left_of_up(position) + 90.0).rem_euclid(360.0) - 90.0
         })
     }
 
     /// The handle of a point in a drawing.
-    pub fn of_point(point: PointId, view: View) -> Self {
+    pub fn of_point_in_drawing(point: PointId, view: View) -> Self {
         let locate = move |values: &ParameterValues| Some(view.to_drawing(values.point(point)));
         let coordinates = [point.x(), point.y()];
-        Self::new(point.0, coordinates, locate, move |_, position| view.to_world(position))
+        Self::new(point.0, coordinates, locate, move |_, position| Some(view.to_world(position)))
     }
 
     /// A handle in a picture that sets the x and y of a point in the world, and leaves its z. It
     /// can't be dragged closer than `margin` to the border, and stays where it is if no point with
     /// this z is ahead of the camera. If `camera_and_point` returns None, there is nothing to drag.
-    pub fn in_picture(
+    pub fn of_world_point_in_picture(
         words: &'static str,
         coordinates: [ParameterId; 2],
         margin: f64,
@@ -129,12 +130,12 @@ impl Handle {
             (pixel.z > 0.0).then(|| pixel.truncate() / pixel.z + 0.5)
         };
         Self::new(words, coordinates, locate, move |values, position| {
-            let Some((camera, point)) = camera_and_point(values) else { return DVec2::NAN };
+            let (camera, point) = camera_and_point(values)?;
             let pixel = position.clamp(DVec2::splat(margin), SIZE - margin) - 0.5;
             let ray = camera.ray(pixel.x, pixel.y);
             let t = (point.z - ray.start.z) / ray.direction.z;
             let is_ahead = t > 0.0 && t.is_finite();
-            if is_ahead { ray.at(t).truncate() } else { point.truncate() }
+            Some(if is_ahead { ray.at(t).truncate() } else { point.truncate() })
         })
     }
 

@@ -8,7 +8,8 @@
 //! *Readouts* are texts elsewhere on the page that depend on the values. The *trace* of a pixel is
 //! every number from its ray to its bytes, and a *probe* is the handle that selects the pixel.
 //!
-//! This crate doesn't depend on the book's text.
+//! This crate doesn't read the book. But a drawing's caption is Markdown as in a chapter, with
+//! directives such as `{{#number row:D}}`, which the builder expands.
 
 mod format;
 pub use format::{format_count, short_name};
@@ -38,7 +39,7 @@ mod pictures;
 pub use pictures::discriminant;
 
 mod figure_list;
-pub use figure_list::{FIGURES, find};
+pub use figure_list::{FIGURES, find_figure};
 
 mod address;
 mod reply;

@@ -126,13 +126,23 @@ mod tests {
     }
 
     #[test]
-    fn values_are_read_by_name() {
+    fn point_switch_and_choice_are_read_by_id() {
         let (point, side) = (PointId("P"), ParameterId::new("side"));
-        let mut values: ParameterValues =
+        let values: ParameterValues =
             [(point.x(), 3.0), (point.y(), 4.0), (side, 1.0)].into_iter().collect();
         assert_eq!(values.point(point), dvec2(3.0, 4.0));
-        assert!(values.is_on(side) && values.choice(side, &["left", "right"]) == "right");
-        values.set(side, f64::INFINITY);
-        assert!(!values.are_finite());
+        assert!(values.is_on(side));
+        assert_eq!(values.choice(side, &["left", "right"]), "right");
+    }
+
+    #[test]
+    fn values_are_finite_unless_one_is_not() {
+        let side = ParameterId::new("side");
+        let mut values: ParameterValues = [(side, 1.0)].into_iter().collect();
+        assert!(values.are_finite());
+        for value in [f64::INFINITY, f64::NAN] {
+            values.set(side, value);
+            assert!(!values.are_finite(), "{value}");
+        }
     }
 }

@@ -2,12 +2,13 @@
 
 use crate::parameter::Axis;
 use crate::{Content, Figure, Handle, Mark, Parameter, ParameterId, ParameterValues};
+use course::{FOV_DEGREES, PICTURE_COLUMNS, PICTURE_ROWS};
 use glam::{DVec2, DVec3, dvec2};
 use image::RgbImage;
 use step01_rays::{Ray, render};
 
 /// The columns and rows of the course's pictures.
-pub const SIZE: DVec2 = dvec2(640.0, 360.0);
+pub const SIZE: DVec2 = dvec2(PICTURE_COLUMNS as f64, PICTURE_ROWS as f64);
 
 /// The column and row of the probe's pixel.
 pub const I: ParameterId = ParameterId::new("i");
@@ -27,7 +28,7 @@ pub fn probed_picture(
     // The handle is at the centre of its pixel.
     let locate = |values: &ParameterValues| Some(dvec2(values[I], values[J]) + 0.5);
     let handle =
-        Handle::new("the pixel that you ask", [I, J], locate, |_, position| position - 0.5);
+        Handle::new("the pixel that you ask", [I, J], locate, |_, position| Some(position - 0.5));
     Figure {
         parameters: own.into_iter().chain(others).collect(),
         handles: vec![Handle { mark: Mark::Probe, ..handle }],
@@ -42,5 +43,5 @@ pub fn probe_ray(values: &ParameterValues) -> Ray {
 
 /// Draws a picture with the course's camera, where `colour` is the colour that a ray sees.
 pub fn draw_picture(columns: u32, colour: impl Fn(&Ray) -> DVec3 + Sync) -> RgbImage {
-    render(&course::camera_with_fov(60.0, columns), 1, colour)
+    render(&course::camera_with_fov(FOV_DEGREES, columns), 1, colour)
 }

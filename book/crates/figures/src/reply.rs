@@ -1,8 +1,8 @@
 //! Replies to requests from a page.
 
 use crate::address::{format_address, parse_address, parse_values};
-use crate::{AddressError, Content, Figure, Mark, Parameter, ParameterValues, find};
-use course::json;
+use crate::{AddressError, Content, Figure, Mark, Parameter, ParameterValues, find_figure};
+use course::{PICTURE_COLUMNS, json};
 use glam::{DVec2, dvec2};
 use image::{Rgb, RgbImage};
 use std::error::Error;
@@ -10,7 +10,7 @@ use std::fmt::{self, Display, Formatter};
 use std::ops::RangeInclusive;
 
 /// The columns of a picture, unless the request says otherwise.
-pub const COLUMNS: u32 = 640;
+pub const COLUMNS: u32 = PICTURE_COLUMNS;
 
 /// The numbers of columns that a request may ask for.
 const ALLOWED_COLUMNS: RangeInclusive<u32> = 2..=3840;
@@ -79,13 +79,13 @@ fn try_reply(request: &str) -> Result<Reply, RequestError> {
     let unknown = || RequestError::UnknownRequest(request.to_owned());
     let (verb, rest) = request.split_once(' ').ok_or_else(unknown)?;
     let (name, rest) = rest.split_once(' ').unwrap_or((rest, ""));
-    let figure = find(name).ok_or_else(unknown)?;
+    let figure = find_figure(name).ok_or_else(unknown)?;
     let (text, rest) = rest.split_once(' ').unwrap_or((rest, ""));
     let numbers = rest.split_whitespace().map(str::parse).collect::<Result<Vec<f64>, _>>();
     let numbers = numbers.map_err(|_| unknown())?;
     let values = || parse_values(figure, text);
     match (verb, &numbers[..]) {
-        ("about", _) => Ok(about(figure)),
+        ("about", _) => Ok(about_figure(figure)),
         ("read", []) => Ok(reply_at(figure, &values()?, None)),
         ("show", columns) => {
             let columns = parse_columns(columns).ok_or_else(unknown)?;
@@ -118,7 +118,7 @@ fn parse_columns(numbers: &[f64]) -> Option<u32> {
 }
 
 /// What a page has to know about a figure before it shows anything.
-fn about(figure: &Figure) -> Reply {
+fn about_figure(figure: &Figure) -> Reply {
     let handles = figure.handles.iter().map(|handle| {
         json::object([
             ("words", json::quote(handle.words)),
@@ -252,7 +252,7 @@ mod tests {
     }
 
     #[test]
-    fn probe_leaves_the_picture_as_it_is() {
+    fn dragging_a_probe_sends_no_pixels() {
         let reply = try_reply("drag step02_sphere  0 10.5 20.5").expect("a reply");
         assert!(reply.pixels.is_empty() && reply.text.contains("\"positions\":[[10.5,20.5]"));
     }

@@ -3,8 +3,8 @@
 
 use course::{Step, find_picture};
 use figures::{
-    COLUMNS, Content, FIGURES, Figure, ParameterValues, Reply, find, format_address, parse_address,
-    reply,
+    COLUMNS, Content, FIGURES, Figure, ParameterValues, Reply, find_figure, format_address,
+    parse_address, reply,
 };
 use glam::{DVec2, dvec2};
 use insta::assert_snapshot;
@@ -86,7 +86,7 @@ fn default_picture_is_that_of_the_program() {
         ("own_scene", "the-way-back-shadows-and-mirrors:1", "mirror"),
     ];
     for (name, address, program) in steps.into_iter().chain(others) {
-        let figure = find(name).expect("a picture");
+        let figure = find_figure(name).expect("a picture");
         let values = parse_address(figure, address).expect("values");
         let Content::Picture { draw } = figure.content else { panic!("a drawing") };
         let picture = find_picture(program).expect("a program");
@@ -130,7 +130,7 @@ fn dragged_handles_are_as_locked() {
         let all = values_to_lock(figure).into_iter();
         all.map(|values| handle_lines(figure, &values))
     });
-    let own_scene = find("own_scene").expect("a picture");
+    let own_scene = find_figure("own_scene").expect("a picture");
     let cameras = [
         "camera-position-sideways:6,camera-roll:-30,camera-target-backwards:-8",
         // The camera looks back at the scene.

@@ -2,18 +2,18 @@
 
 use crate::expressions::{Expression, Fault, LineRefusal, draw_edited, parse_expression};
 use course::{
-    Mistake, Place, PlaceNote, all_listed_places, find_mistakes_with_hash, hash_picture, json,
-    locked_hashes,
+    Mistake, PICTURE_COLUMNS, Place, PlaceNote, all_listed_places, find_mistakes_with_hash,
+    hash_picture, hashes_of_right_pictures, json,
 };
 use figures::Reply;
 use image::RgbImage;
-use std::ops::RangeInclusive;
+use std::ops::{Range, RangeInclusive};
 
 /// The picture widths that a page may ask for.
 const COLUMNS: RangeInclusive<u32> = 16..=FULL_SIZE;
 
 /// The width of the book's pictures.
-const FULL_SIZE: u32 = 640;
+const FULL_SIZE: u32 = PICTURE_COLUMNS;
 
 /// The maximum number of operations per picture: 17 for each pixel at full size. They take about
 /// 150 ms in a browser, on top of the book's own code.
@@ -98,20 +98,31 @@ pub fn edit(words: &str) -> Reply {
             ]);
             Reply { pixels: figures::rgba_bytes(&picture), ..reply }
         }
-        Err(LineRefusal { place, refusal }) => Reply::from_json_fields([
-            ("line", json::quote(place)),
-            ("from", refusal.range.start.to_string()),
-            ("to", refusal.range.end.to_string()),
-            ("mistake", json::quote(&refusal.to_string())),
-        ]),
+        Err(LineRefusal { place, refusal }) => {
+            let line = edit.lines.iter().find(|(edited, _)| edited.name == place);
+            let text = line.map_or("", |(_, text)| text);
+            let range = utf16_range(text, &refusal.range);
+            Reply::from_json_fields([
+                ("line", json::quote(place)),
+                ("from", range.start.to_string()),
+                ("to", range.end.to_string()),
+                ("fault", json::quote(&refusal.to_string())),
+            ])
+        }
     }
+}
+
+/// Converts a range of bytes of a text to UTF-16 code units, as JavaScript counts.
+fn utf16_range(text: &str, bytes: &Range<usize>) -> Range<usize> {
+    let code_units = |end: usize| text[..end].encode_utf16().count();
+    code_units(bytes.start)..code_units(bytes.end)
 }
 
 /// Describes a picture that is right, or that a listed mistake in the edited line would produce.
 fn describe(lines: &[(Place, &str)], picture: &RgbImage) -> Option<String> {
     let (place, _) = lines.first()?;
     let (step, hash) = (place.step_name(), hash_picture(picture));
-    if locked_hashes().any(|(name, right)| name == step && right == hash) {
+    if hashes_of_right_pictures().any(|(name, right)| name == step && right == hash) {
         let only_moves_hit =
             |(place, _): &(Place, _)| place.notes.contains(&PlaceNote::OnlyMovesHit);
         return Some(match lines.iter().all(only_moves_hit) {
@@ -171,10 +182,25 @@ mod tests {
         let (fault, picture) = (edit("16 a 1"), edit("16 a 1.0"));
         assert_eq!(
             fault.text,
-            r#"{"line":"a","from":0,"to":1,"mistake":"Write 1.0: Rust doesn't mix whole numbers with others."}"#
+            r#"{"line":"a","from":0,"to":1,"fault":"Write 1.0: Rust doesn't mix whole numbers with others."}"#
         );
         assert!(fault.pixels.is_empty() && picture.text.starts_with(r#"{"size":[16,9],"#));
         assert_eq!(picture.pixels.len(), 16 * 9 * 4);
+    }
+
+    #[test]
+    fn fault_is_where_javascript_counts_it() {
+        let from_and_to = |text: &str| {
+            let reply = edit(&format!("16 a 1.0\u{1f}disc {text}")).text;
+            let (_, rest) = reply.split_once("\"from\":").expect("a fault");
+            rest.split(",\"fault\"").next().map(str::to_owned).expect("its range")
+        };
+        assert_eq!(from_and_to("b − 4.0"), "2,\"to\":3");
+        assert_eq!(from_and_to("b θ"), "2,\"to\":3");
+        // This emoji has four bytes and two code units.
+        assert_eq!(from_and_to("b 🙂"), "2,\"to\":4");
+        assert_eq!(from_and_to("🙂 /* − */ \u{7}"), "11,\"to\":12");
+        assert_eq!(from_and_to(&"🙂".repeat(100)), "0,\"to\":200");
     }
 
     #[test]

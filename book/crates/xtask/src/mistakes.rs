@@ -4,9 +4,9 @@ use crate::error::{XtaskError, XtaskResult};
 use crate::mistake_program::{self, DrawnPictures, text_with_mistake, title_and_file};
 use crate::source_hash::{code_lines, hash_texts};
 use course::{
-    Mistake, MistakePicture, PICTURES, SMALL_SIZE, Step, encode_png, hash_picture,
-    make_small_picture, mistakes, read_locked_picture, read_small_pictures, small_pictures_path,
-    table_rows, workspace,
+    Mistake, MistakePicture, MistakeTable, PICTURES, RightPicture, SMALL_SIZE, Step, TableRow,
+    encode_png, hash_picture, make_small_picture, mistake_table, mistakes, read_locked_picture,
+    read_small_pictures, small_pictures_path, workspace,
 };
 use image::RgbImage;
 use image::imageops::replace;
@@ -68,8 +68,9 @@ impl Table {
         for mistake in mistakes() {
             all.push((mistake_key(mistake, &right)?, mistake));
         }
-        let rows = table_rows().filter(|row| row.hashes.iter().any(Option::is_some));
-        let rows = rows.map(|row| (row.key, row.hashes)).collect();
+        let rows = mistake_table().rows.iter();
+        let rows = rows.filter(|row| row.hashes.iter().any(Option::is_some));
+        let rows = rows.map(|row| (row.key, row.hashes.clone())).collect();
         let pictures = Step::ALL.map(|step| read_small_pictures(&workspace(), step));
         let small_pictures = pictures.into_iter().flatten().flatten().collect();
         Ok(Self { right, all, rows, small_pictures })
@@ -110,23 +111,18 @@ impl Table {
         shown.filter_map(|one| Some((one.name, self.small_pictures.get(one.name)?))).collect()
     }
 
-    /// Formats the table: the hashes of the right pictures, the names of the small pictures, and a
-    /// row for each mistake.
+    /// Formats the table.
     pub fn text(&self) -> String {
-        let mut text = String::new();
-        for (name, hash) in &self.right {
-            text += &format!("= {name} {hash:016x}\n");
+        let right_pictures = self.right.iter().map(|(name, hash)| {
             let pictures = Step::from_name(name).map(|step| self.step_pictures(step));
-            pictures.iter().flatten().for_each(|(name, _)| text += &format!("! {name}\n"));
-        }
-        for (key, _) in &self.all {
-            text += &format!("{key:08x}");
-            for hash in self.rows.get(key).map_or(&[None][..], Vec::as_slice) {
-                text += &hash.map_or(" -".to_owned(), |hash| format!(" {hash:016x}"));
-            }
-            text += "\n";
-        }
-        text
+            let names = pictures.into_iter().flatten().map(|(name, _)| name);
+            RightPicture { name, hash: *hash, small_pictures: names.collect() }
+        });
+        let rows = self.all.iter().map(|(key, _)| {
+            let hashes = self.rows.get(key).cloned().unwrap_or_else(|| vec![None]);
+            TableRow { key: *key, hashes }
+        });
+        MistakeTable { right_pictures: right_pictures.collect(), rows: rows.collect() }.to_string()
     }
 
     /// Writes the small pictures, then the table.

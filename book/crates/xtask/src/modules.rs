@@ -25,7 +25,7 @@ pub fn compile_if_stale() -> XtaskResult<()> {
     let hash = source_hash()?;
     for name in MODULES {
         let module = compile(name)?;
-        if let Some(folder) = folder_in(&module) {
+        if let Some(folder) = find_local_folder(&module) {
             return Err(XtaskError::PathInModule { module: name, folder });
         }
         println!("{name}.wasm: {} bytes", module.len());
@@ -65,7 +65,7 @@ fn compile(name: &'static str) -> XtaskResult<Vec<u8>> {
 /// Finds a folder of this machine whose path is in the module: the workspace, the target folder, or
 /// Cargo's home. With such a path, the module would differ from machine to machine. The paths of
 /// the standard library's sources may stay, since they come with the compiler.
-fn folder_in(module: &[u8]) -> Option<PathBuf> {
+fn find_local_folder(module: &[u8]) -> Option<PathBuf> {
     let folders = [workspace(), target_folder(), cargo_home()];
     folders.into_iter().find(|folder| {
         let path = folder.as_os_str().as_encoded_bytes();
@@ -94,9 +94,9 @@ mod tests {
 
     #[test]
     fn a_module_with_a_path_of_this_machine_is_found() {
-        assert_eq!(folder_in(b"\0asm /rust/deps/dlmalloc-0.2.11/src/lib.rs"), None);
+        assert_eq!(find_local_folder(b"\0asm /rust/deps/dlmalloc-0.2.11/src/lib.rs"), None);
         let path = workspace().join("steps/step01_rays/src/lib.rs");
         let module = [b"\0asm ", path.as_os_str().as_encoded_bytes(), b" expect"].concat();
-        assert_eq!(folder_in(&module), Some(workspace()));
+        assert_eq!(find_local_folder(&module), Some(workspace()));
     }
 }

@@ -34,7 +34,7 @@ pub(crate) struct Feedback {
 
 impl Feedback {
     /// Whether the file earns the point for its picture.
-    pub fn has_point(&self) -> bool {
+    pub fn earns_point(&self) -> bool {
         matches!(self.verdict, FileVerdict::Compared(Verdict::Right | Verdict::OtherOptions))
     }
 }
@@ -114,23 +114,23 @@ mod tests {
     #[test]
     fn right_picture_has_its_point_and_no_sentence() {
         let feedback = judge(&Ok(answer(Verdict::Right)), &[]);
-        assert!(feedback.has_point() && feedback.sentence.is_empty());
+        assert!(feedback.earns_point() && feedback.sentence.is_empty());
         let feedback = judge(&Ok(answer(Verdict::NotRight)), &[]);
-        assert!(!feedback.has_point());
+        assert!(!feedback.earns_point());
         assert_eq!(feedback.sentence, "The headline.");
     }
 
     #[test]
     fn options_have_the_point_unless_something_else_gives_the_picture() {
         let feedback = with_options(OptionDoubts::default());
-        assert!(feedback.has_point());
+        assert!(feedback.earns_point());
         assert_eq!(feedback.sentence, "The headline.");
         let feedback = with_options(OptionDoubts { is_one_colour: true, ..Default::default() });
-        assert!(!feedback.has_point());
+        assert!(!feedback.earns_point());
         assert_eq!(feedback.sentence, "The headline.");
         let mistakes = vec![&mistakes()[0]];
         let feedback = with_options(OptionDoubts { mistakes, ..Default::default() });
-        assert!(!feedback.has_point());
+        assert!(!feedback.earns_point());
         let sentence = "Other options give this picture, and so does a mistake: the angle is in \
                         degrees (steps/step01_rays/src/program.rs).";
         assert_eq!(feedback.sentence, sentence);
@@ -140,7 +140,7 @@ mod tests {
     fn file_that_is_no_picture_is_unreadable() {
         let feedback = judge(&Err(CheckError::UnknownName), &[]);
         assert_eq!(feedback.verdict.words(), "unreadable");
-        assert!(!feedback.has_point());
+        assert!(!feedback.earns_point());
     }
 
     #[test]

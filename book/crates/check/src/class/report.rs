@@ -44,7 +44,7 @@ impl ClassReport {
             let points = format!("{} of {}", student.points(), student.most_points());
             let feedback = student_feedback(student);
             rows.push(vec![student.name.clone(), points, String::new(), String::new(), feedback]);
-            rows.extend(picture_rows(student).into_iter().map(|row| {
+            rows.extend(rows_of_student(student).into_iter().map(|row| {
                 let feedback = row.feedback_with_file();
                 vec![String::new(), String::new(), row.picture, row.verdict, feedback]
             }));
@@ -67,7 +67,7 @@ impl ClassReport {
                 feedback: student_feedback(student),
                 ..CsvRow::default()
             });
-            rows.extend(picture_rows(student).into_iter().map(|row| CsvRow {
+            rows.extend(rows_of_student(student).into_iter().map(|row| CsvRow {
                 student: student.name.clone(),
                 picture: row.picture,
                 point: row.point,
@@ -130,7 +130,7 @@ impl OwnReport {
             return format!("There are no pictures of the course here.\n{beside}");
         }
         let head = ["picture", "verdict", "feedback"].map(str::to_owned);
-        let rows = picture_rows(own)
+        let rows = rows_of_student(own)
             .into_iter()
             .map(|row| [row.picture.clone(), row.verdict.clone(), row.feedback_with_file()]);
         let rows: Vec<_> = [head].into_iter().chain(rows).map(Vec::from).collect();
@@ -180,12 +180,12 @@ impl PictureRow {
 }
 
 /// Returns a row for each of a student's files and missing pictures.
-fn picture_rows(student: &StudentReport) -> Vec<PictureRow> {
+fn rows_of_student(student: &StudentReport) -> Vec<PictureRow> {
     student.pictures.iter().flat_map(rows_of_picture).collect()
 }
 
 fn rows_of_picture(picture: &PictureReport) -> Vec<PictureRow> {
-    let point = picture.counts.then(|| picture.has_point().into());
+    let point = picture.counts.then(|| picture.earns_point().into());
     let name = picture.picture.to_owned();
     if picture.files.is_empty() {
         return vec![PictureRow {
@@ -212,7 +212,7 @@ fn pictures_json(student: &StudentReport) -> String {
     let pictures = student.pictures.iter().map(|picture| {
         let mut fields = vec![("picture", json::quote(picture.picture))];
         if picture.counts {
-            fields.push(("point", u8::from(picture.has_point()).to_string()));
+            fields.push(("point", u8::from(picture.earns_point()).to_string()));
         }
         fields.push(("files", json::list(picture.files.iter().map(file_json))));
         format!("\n    {}", json::object(fields))
@@ -274,14 +274,14 @@ impl CsvRow {
     fn to_line(&self) -> String {
         let number = |number: Option<usize>| number.map(|one| one.to_string()).unwrap_or_default();
         let cells = [
-            text_cell(&self.student),
+            csv_text_cell(&self.student),
             number(self.points),
             number(self.most_points),
-            text_cell(&self.picture),
+            csv_text_cell(&self.picture),
             number(self.point.map(usize::from)),
-            text_cell(&self.verdict),
-            text_cell(&self.feedback),
-            text_cell(&self.file),
+            csv_text_cell(&self.verdict),
+            csv_text_cell(&self.feedback),
+            csv_text_cell(&self.file),
         ];
         cells.join(",") + "\n"
     }
@@ -289,7 +289,7 @@ impl CsvRow {
 
 /// Formats a cell: the text in quotes, with a `'` in front if a spreadsheet could take it for a
 /// formula.
-fn text_cell(text: &str) -> String {
+fn csv_text_cell(text: &str) -> String {
     let is_invisible = |c: char| {
         c.is_whitespace() || c.is_control() || matches!(c, '\u{200b}'..='\u{200f}' | '\u{feff}')
     };
@@ -307,11 +307,11 @@ mod tests {
     #[test]
     fn cells_that_may_be_formulas_are_marked() {
         for text in ["=1", "+1", "-1", "@A", "\t=1", "\r\n=1", "\ttext", " =1", "＝1", "＠A"] {
-            assert_eq!(text_cell(text), format!("\"'{text}\""), "{text:?}");
+            assert_eq!(csv_text_cell(text), format!("\"'{text}\""), "{text:?}");
         }
         for text in ["", "a=1", "−1", "1", "(+1)"] {
-            assert_eq!(text_cell(text), format!("\"{text}\""), "{text:?}");
+            assert_eq!(csv_text_cell(text), format!("\"{text}\""), "{text:?}");
         }
-        assert_eq!(text_cell("say \"hi\""), "\"say \"\"hi\"\"\"");
+        assert_eq!(csv_text_cell("say \"hi\""), "\"say \"\"hi\"\"\"");
     }
 }

@@ -6,7 +6,7 @@ use crate::class::table::align;
 use crate::class::write_folder::{NewFile, WriteFolderError, write_new_folder};
 use crate::comparison::scattered_positions;
 use crate::escape_for_terminal;
-use crate::number_format::{format_number, format_vector};
+use crate::number_format::{format_four_decimals, format_vector_four_decimals};
 use crate::step_scene::{ObjectHit, StepScene};
 use course::{Owner, QUANTITIES, Quantity, camera, fnv_1a, is_obeyed_by_terminals};
 use std::collections::HashMap;
@@ -212,7 +212,7 @@ fn find_problem_pixel(scene: &StepScene, pixels_to_skip: usize) -> Option<Proble
             problem_pixel_of_ray(scene, (i, j), ray)
         });
         pixels_with_balls.find(|found| {
-            found.balls.len() == ball_count && found.is_lit_by_first(light_count, scene)
+            found.balls.len() == ball_count && found.is_bright_with_highlight(light_count, scene)
         })
     };
     find(2, 2).or_else(|| find(1, 2)).or_else(|| find(1, 1))
@@ -235,7 +235,7 @@ fn problem_pixel_of_ray(scene: &StepScene, pixel: (u32, u32), ray: Ray) -> Optio
 impl ProblemPixel {
     /// Whether each of the first `light_count` lights is bright here, and at least one makes a
     /// highlight.
-    fn is_lit_by_first(&self, light_count: usize, scene: &StepScene) -> bool {
+    fn is_bright_with_highlight(&self, light_count: usize, scene: &StepScene) -> bool {
         let mut sum = Terms::default();
         for light in &scene.own.scene.lights[..light_count] {
             let terms = scene.light_terms_at_hit(&self.ray, self.visible, light);
@@ -263,16 +263,21 @@ impl ProblemPixel {
         let terms = scene.terms_at_hit(ray, *visible);
         let coefficients = balls.iter().map(|hit| {
             let (a, b, c) = objects[hit.object].sphere.coefficients(ray);
-            let [a, b, c, d] = [a, b, c, b * b - 4.0 * a * c].map(format_number);
+            let [a, b, c, d] = [a, b, c, b * b - 4.0 * a * c].map(format_four_decimals);
             format!("{}: a = {a}, b = {b}, c = {c}, D = {d}", name(hit))
         });
-        let hits = balls.iter().map(|hit| format!("{}: t = {}", name(hit), format_number(hit.t)));
+        let hits =
+            balls.iter().map(|hit| format!("{}: t = {}", name(hit), format_four_decimals(hit.t)));
         let directions = iter::zip(lights, scene.light_names).map(|(light, name)| {
             let (l, d) = light.point_light.direction_from(p);
-            format!("{name}: n·l = {}, d = {}", format_number(normal.dot(l)), format_number(d))
+            format!(
+                "{name}: n·l = {}, d = {}",
+                format_four_decimals(normal.dot(l)),
+                format_four_decimals(d)
+            )
         });
         let [i_a, i_d, i_s] =
-            [terms.ambient, terms.diffuse, terms.specular].map(|term| format_number(term.x));
+            [terms.ambient, terms.diffuse, terms.specular].map(|term| format_four_decimals(term.x));
         let visible = match names.len() {
             1 => String::new(),
             _ => format!(". The pixel shows {}", name(visible)),
@@ -280,21 +285,24 @@ impl ProblemPixel {
         let problems_and_answers = [
             (
                 format!("What's the V of the pixel in column {i} and row {j}?"),
-                format!("V = {}", format_vector(ray.direction)),
+                format!("V = {}", format_vector_four_decimals(ray.direction)),
             ),
             (
                 format!(
                     "What are a, b, c and D of its ray and {}?",
                     names.join(", and of it and ")
                 ),
-                join(coefficients),
+                join_clauses(coefficients),
             ),
-            (nearest, join(hits) + &visible),
+            (nearest, join_clauses(hits) + &visible),
             (
                 "What's the normal n at the point that the pixel shows?".to_owned(),
-                format!("n = {}", format_vector(normal)),
+                format!("n = {}", format_vector_four_decimals(normal)),
             ),
-            ("What are n·l and d there, for each of the two lights?".to_owned(), join(directions)),
+            (
+                "What are n·l and d there, for each of the two lights?".to_owned(),
+                join_clauses(directions),
+            ),
             (
                 "What are I_a, and the sums of I_d and of I_s over both lights, there and in red?"
                     .to_owned(),
@@ -305,7 +313,7 @@ impl ProblemPixel {
     }
 }
 
-fn join(clauses: impl Iterator<Item = String>) -> String {
+fn join_clauses(clauses: impl Iterator<Item = String>) -> String {
     clauses.collect::<Vec<_>>().join("; ")
 }
 

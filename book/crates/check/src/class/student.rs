@@ -5,7 +5,7 @@ use crate::class::folder::{Contents, FoundFile};
 use crate::class::not_looked_at::{NotLookedAt, SkipReason};
 use crate::target::find_name_in_file_name;
 use crate::{Answer, CheckError, check_png, escape_for_terminal, read_bounded_file};
-use course::{locked_names, read_locked_picture};
+use course::{names_of_right_pictures, read_locked_picture};
 
 /// The maximum number of files that are checked for one picture.
 const MOST_FILES_OF_PICTURE: usize = 8;
@@ -82,23 +82,23 @@ impl StudentReport {
 
     /// Points earned: the number of counted pictures that have earned their point.
     pub fn points(&self) -> usize {
-        self.counted().filter(|picture| picture.has_point()).count()
+        self.counted_pictures().filter(|picture| picture.earns_point()).count()
     }
 
     /// The maximum number of points: the number of counted pictures.
     pub fn most_points(&self) -> usize {
-        self.counted().count()
+        self.counted_pictures().count()
     }
 
-    fn counted(&self) -> impl Iterator<Item = &PictureReport> {
+    fn counted_pictures(&self) -> impl Iterator<Item = &PictureReport> {
         self.pictures.iter().filter(|picture| picture.counts)
     }
 }
 
 impl PictureReport {
     /// Whether the picture has earned its point, as every one of its files must.
-    pub fn has_point(&self) -> bool {
-        let deserving = self.files.iter().filter(|file| file.feedback.has_point());
+    pub fn earns_point(&self) -> bool {
+        let deserving = self.files.iter().filter(|file| file.feedback.earns_point());
         self.file_count > 0 && deserving.count() == self.file_count
     }
 }
@@ -117,7 +117,7 @@ pub(crate) fn check_student(
     }
     let mut pictures: Vec<PictureReport> = vec![];
     let mut notes = vec![];
-    for picture in locked_names() {
+    for picture in names_of_right_pictures() {
         let files = named.iter().filter(|(_, one)| *one == Some(picture)).map(|(file, _)| *file);
         let files: Vec<_> = files.collect();
         let is_required = required.contains(&picture);
@@ -146,7 +146,8 @@ pub(crate) fn check_student(
 /// Returns the picture that a file is named after, if the file may have been meant as a picture.
 fn picture_of_file(file: &FoundFile) -> Option<&'static str> {
     let name = file.printable_name();
-    find_name_in_file_name(name, locked_names().into_iter()).filter(|_| file.may_be_picture())
+    find_name_in_file_name(name, names_of_right_pictures().into_iter())
+        .filter(|_| file.may_be_picture())
 }
 
 /// Compares a file with the locked picture that it should equal.

@@ -35,14 +35,14 @@ pub fn figure() -> Figure {
                 .with_symbol("α")
                 .with_unit("°"),
         ],
-        handles: vec![Handle::of_one(
+        handles: vec![Handle::of_parameter(
             "the ball on the right",
             ANGLE,
             |values| centre_from_above(values[ANGLE]),
             |_, position| -ABOVE.degrees_left_of_up(position),
         )],
         readouts: |values| {
-            let half = image_half(values[ANGLE]);
+            let half = image_half_axes(values[ANGLE]);
             collect_readouts([
                 ("angle", format_number(values[ANGLE])),
                 ("times", format_rounded(half.x / half.y, 1)),
@@ -64,7 +64,7 @@ fn image_x(degrees: f64) -> [f64; 3] {
 
 /// Half the width and half the height of a ball's image. It is an ellipse, because the image plane
 /// cuts the cone of rays that touch the ball.
-fn image_half(degrees: f64) -> DVec2 {
+fn image_half_axes(degrees: f64) -> DVec2 {
     let [left, _, right] = image_x(degrees);
     let middle = (left + right) / 2.0;
     let (sin, cos) = degrees.to_radians().sin_cos();
@@ -80,7 +80,7 @@ fn draw_ball(drawing: &mut Drawing, degrees: f64) {
     let [left, middle, right] = image_x(degrees);
     let centre = dvec2((left + right) / 2.0, 0.0);
     let outline = (0..120).map(|k| DVec2::from_angle(TAU * f64::from(k) / 120.0));
-    let outline = outline.map(|side| PICTURE.to_drawing(centre + side * image_half(degrees)));
+    let outline = outline.map(|side| PICTURE.to_drawing(centre + side * image_half_axes(degrees)));
     drawing.area("object", outline);
     let on_plane = |x: f64| ABOVE.xy_to_drawing(x, 1.0);
     for (class, x) in [("ray", left), ("guide", middle), ("ray", right)] {

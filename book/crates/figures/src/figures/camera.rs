@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::pictures::step01::{FIELD_OF_VIEW, aspect_ratio_parameter, camera};
+use course::FOV_DEGREES;
 use glam::{DMat2, DQuat};
 use step01_rays::{Camera, Ray, direction_colour, render};
 
@@ -25,10 +26,10 @@ pub fn figure() -> Figure {
         Some(figure.project(figure.ray().at(1.0)))
     };
     let pixel_at =
-        |values: &ParameterValues, position| CameraFigure::new(values).pixel_at(position);
+        |values: &ParameterValues, position| Some(CameraFigure::new(values).pixel_at(position));
     Figure {
         parameters: vec![
-            Parameter::number(FIELD_OF_VIEW, "field of view", 60.0, [20.0, 90.0], 1.0)
+            Parameter::number(FIELD_OF_VIEW, "field of view", FOV_DEGREES, [20.0, 90.0], 1.0)
                 .with_symbol("θ")
                 .with_unit("°"),
             aspect_ratio_parameter(),

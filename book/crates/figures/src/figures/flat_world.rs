@@ -46,7 +46,7 @@ pub fn figure() -> Figure {
             .map(|(point, _, default)| Parameter::point(point, default, ranges, 20.0))
             .concat(),
         handles: POINTS
-            .map(|(point, mark, _)| Handle { mark, ..Handle::of_point(point, VIEW) })
+            .map(|(point, mark, _)| Handle { mark, ..Handle::of_point_in_drawing(point, VIEW) })
             .into(),
         readouts,
         // The eye must be outside the balls, and V long enough to be seen.

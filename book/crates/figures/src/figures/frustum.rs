@@ -27,8 +27,9 @@ const CONTENT: Content = Content::Drawing {
 /// OpenGL's frustum from the side, with rays that reach even what it cuts away.
 pub fn figure() -> Figure {
     let handle = |words, depth: ParameterId| {
-        let locate = move |values: &ParameterValues| position(sides()[1].at(values[depth]));
-        Handle::of_one(words, depth, locate, |_, position| VIEW.to_world(position).x)
+        let locate =
+            move |values: &ParameterValues| side_view_position(sides()[1].at(values[depth]));
+        Handle::of_parameter(words, depth, locate, |_, position| VIEW.to_world(position).x)
     };
     Figure {
         parameters: vec![
@@ -41,7 +42,7 @@ pub fn figure() -> Figure {
 }
 
 /// The position of a point in the world, seen from the side.
-fn position(point: DVec3) -> DVec2 {
+fn side_view_position(point: DVec3) -> DVec2 {
     VIEW.xy_to_drawing(-point.z, point.y)
 }
 
@@ -66,10 +67,10 @@ fn part_between(sphere: &Sphere, [near, far]: [f64; 2]) -> &'static str {
 fn draw(values: &ParameterValues) -> Drawing {
     let (planes, sides) = ([values[NEAR], values[FAR]], sides());
     let mut drawing = Drawing::new(334.0);
-    let [near, far] = planes.map(|t| sides.map(|ray| position(ray.at(t))));
+    let [near, far] = planes.map(|t| sides.map(|ray| side_view_position(ray.at(t))));
     drawing.area("plane", [near[0], far[0], far[1], near[1]]);
     for ray in sides {
-        drawing.line("guide", position(ray.start), position(ray.at(5.4)));
+        drawing.line("guide", side_view_position(ray.start), side_view_position(ray.at(5.4)));
     }
     // However close the planes are to each other, their names don't overlap.
     for ([upper, lower], class, name) in
@@ -82,15 +83,15 @@ fn draw(values: &ParameterValues) -> Drawing {
     for sphere in BALLS {
         let part = part_between(&sphere, planes);
         let class = if part == "cut away" { "behind" } else { "object" };
-        let (centre, radius) = (position(sphere.centre), VIEW.scale.x * sphere.radius);
+        let (centre, radius) = (side_view_position(sphere.centre), VIEW.scale.x * sphere.radius);
         drawing.circle(class, centre, radius);
         // On the side away from the other rays.
         let below = if sphere.centre.y > 0.0 { -radius - 10.0 } else { radius + 40.0 };
         drawing.label("quiet over", centre + dvec2(0.0, below), part);
         let ray = Ray { start: DVec3::ZERO, direction: sphere.centre };
         if let Some(t) = sphere.intersect(&ray).first_hit() {
-            drawing.line("ray", position(ray.start), position(ray.at(t)));
-            drawing.dot("hit", position(ray.at(t)));
+            drawing.line("ray", side_view_position(ray.start), side_view_position(ray.at(t)));
+            drawing.dot("hit", side_view_position(ray.at(t)));
         }
     }
     drawing.dot("eye", VIEW.origin);

@@ -29,7 +29,7 @@ pub fn figure() -> Figure {
         parameters: zip(SPHERES, defaults)
             .flat_map(|((centre, _), default)| Parameter::point(centre, default, ranges, 20.0))
             .collect(),
-        handles: SPHERES.map(|(centre, _)| Handle::of_point(centre, VIEW)).into(),
+        handles: SPHERES.map(|(centre, _)| Handle::of_point_in_drawing(centre, VIEW)).into(),
         ..Figure::new("hits-along-a-ray", CONTENT)
     }
 }

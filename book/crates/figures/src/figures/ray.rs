@@ -30,8 +30,9 @@ pub fn figure() -> Figure {
     let v = Parameter::point(V, [2.4, 0.7], [[-4.0, 7.0], [-4.0, 4.0]], 10.0);
     let distance_words = "the point's distance from S";
     let distance = Parameter::number(DISTANCE, distance_words, 5.0, [-2.0, 8.0], 10.0);
-    let v_at =
-        |values: &ParameterValues, position| VIEW.to_world(position - BESIDE) - values.point(START);
+    let v_at = |values: &ParameterValues, position| {
+        Some(VIEW.to_world(position - BESIDE) - values.point(START))
+    };
     let point = |values: &ParameterValues| position(values, ray_and_t(values).1);
     let distance_at = |values: &ParameterValues, position| {
         let (ray, _) = ray_and_t(values);
@@ -41,9 +42,9 @@ pub fn figure() -> Figure {
     Figure {
         parameters: start.into_iter().chain(v).chain([distance]).collect(),
         handles: vec![
-            Handle::of_point(START, VIEW),
+            Handle::of_point_in_drawing(START, VIEW),
             Handle::new(V.0, [V.x(), V.y()], |values| Some(tip(values)), v_at),
-            Handle::of_one(distance_words, DISTANCE, point, distance_at),
+            Handle::of_parameter(distance_words, DISTANCE, point, distance_at),
         ],
         is_allowed: |values| {
             let is_long = ray_and_t(values).0.direction.length() >= 1.0;

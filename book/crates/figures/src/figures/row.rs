@@ -1,6 +1,7 @@
 //! A row of rays in a plane.
 
 use super::*;
+use course::FOV_DEGREES;
 use course::examples::row::Row;
 use std::f64::consts::PI;
 
@@ -24,12 +25,12 @@ pub fn figure() -> Figure {
     Figure {
         parameters: vec![
             Parameter::number(RAYS, "rays", 7.0, [2.0, 25.0], 1.0).with_symbol("hRes"),
-            Parameter::number(FIELD_OF_VIEW, "field of view", 60.0, [10.0, 150.0], 1.0)
+            Parameter::number(FIELD_OF_VIEW, "field of view", FOV_DEGREES, [10.0, 150.0], 1.0)
                 .with_symbol("θ")
                 .with_unit("°"),
             Parameter::switch(DIVIDES_BY_RAYS, "divide the width by hRes, not by hRes − 1", false),
         ],
-        handles: vec![Handle::of_one(
+        handles: vec![Handle::of_parameter(
             "the tip of V0, which opens the field of view",
             FIELD_OF_VIEW,
             |values| view(&row(values)).to_drawing(row(values).direction(0.0)),

@@ -32,7 +32,7 @@ pub fn figure() -> Figure {
             .map(|(start, y)| Parameter::point(start, [-2.125, y], ranges, 16.0))
             .concat(),
         handles: handles
-            .map(|(case, (start, _))| Handle::of_point(*start, circle_view(case)))
+            .map(|(case, (start, _))| Handle::of_point_in_drawing(*start, circle_view(case)))
             .collect(),
         ..Figure::new("three-cases", CONTENT)
     }

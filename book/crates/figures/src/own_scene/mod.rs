@@ -55,7 +55,7 @@ fn handle(owner: Owner, k: usize, presence: ParameterId) -> Handle {
         mark: if owner == Owner::Light { Mark::Light } else { Mark::Point },
         depth: Some(z),
         presence: Some(presence),
-        ..Handle::in_picture(object, [x, y], 0.0, camera_and_point)
+        ..Handle::of_world_point_in_picture(object, [x, y], 0.0, camera_and_point)
     }
 }
 

@@ -15,7 +15,7 @@ const DEPTH: ParameterId = ParameterId::new("depth");
 const OFFSET: ParameterId = ParameterId::new("offset");
 
 /// The parameter for an object's k.
-fn k(object: &'static str) -> ParameterId {
+fn k_parameter(object: &'static str) -> ParameterId {
     ParameterId::of(object, "k")
 }
 
@@ -36,7 +36,8 @@ pub fn figure() -> Figure {
     let offset = Parameter::choice(OFFSET, "offset", 8.0, OFFSETS);
     let ks = mirrors().objects.into_iter().map(|object| {
         let default = object.material.k;
-        object_parameter(k(object.name), object.name, default, [0.0, 1.0], 20.0).with_symbol("k")
+        object_parameter(k_parameter(object.name), object.name, default, [0.0, 1.0], 20.0)
+            .with_symbol("k")
     });
     let parameters = [depth, offset].into_iter().chain(ks);
     Figure {
@@ -58,7 +59,7 @@ impl Mirrors {
     fn new(values: &ParameterValues) -> Self {
         let mut scene = mirrors();
         for object in &mut scene.objects {
-            object.material.k = values[k(object.name)];
+            object.material.k = values[k_parameter(object.name)];
         }
         let offset = values.choice(OFFSET, OFFSETS).parse().unwrap_or_default();
         Self { depth: values[DEPTH] as u32, offset, scene }

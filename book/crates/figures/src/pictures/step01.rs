@@ -1,6 +1,8 @@
 //! The picture of step 1, with a camera that the reader can set.
 
+use crate::probe::SIZE;
 use crate::{Content, Figure, Parameter, ParameterId, ParameterValues};
+use course::FOV_DEGREES;
 use step01_rays::{AspectRatio, Camera, direction_colour, render};
 
 pub const FIELD_OF_VIEW: ParameterId = ParameterId::new("field of view");
@@ -23,11 +25,11 @@ pub fn figure() -> Figure {
     };
     Figure {
         parameters: vec![
-            Parameter::number(FIELD_OF_VIEW, "field of view", 60.0, [1.0, 179.0], 1.0)
+            Parameter::number(FIELD_OF_VIEW, "field of view", FOV_DEGREES, [1.0, 179.0], 1.0)
                 .with_symbol("θ")
                 .with_unit("°"),
             aspect_ratio_parameter(),
-            Parameter::number(COLUMNS, "columns", 640.0, [2.0, 640.0], 1.0).with_symbol("hRes"),
+            Parameter::number(COLUMNS, "columns", SIZE.x, [2.0, SIZE.x], 1.0).with_symbol("hRes"),
         ],
         ..Figure::new("step01_rays", Content::Picture { draw })
     }

@@ -20,7 +20,12 @@ pub fn figure() -> Figure {
             draw_picture(columns, |ray| colour(&sphere, ray))
         });
     let centre = |values: &ParameterValues| Some((course::camera(), sphere(values).centre));
-    figure.handles.push(Handle::in_picture(CENTRE.0, [CENTRE.x(), CENTRE.y()], 0.0, centre));
+    figure.handles.push(Handle::of_world_point_in_picture(
+        CENTRE.0,
+        [CENTRE.x(), CENTRE.y()],
+        0.0,
+        centre,
+    ));
     figure.readouts = |values| {
         let sphere = sphere(values);
         let object = Object { name: "sphere", sphere, material: () };

@@ -26,7 +26,8 @@ pub fn figure() -> Figure {
     figure.handles.extend(LIGHTS.map(|light| {
         let position =
             move |values: &ParameterValues| Some((course::camera(), values.point_in_space(light)));
-        let handle = Handle::in_picture(light.0, [light.x(), light.y()], 24.0, position);
+        let handle =
+            Handle::of_world_point_in_picture(light.0, [light.x(), light.y()], 24.0, position);
         Handle { mark: Mark::Light, ..handle }
     }));
     Figure { readouts, ..figure }

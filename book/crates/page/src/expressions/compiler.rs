@@ -30,7 +30,7 @@ pub fn parse_expression(place: &Place, text: &str) -> Result<Expression, Refusal
         let part = compiler.new_slot(*value_type, false);
         compiler.names.push((name.split_whitespace().collect(), part));
     }
-    let part = compiler.expression(&syntax)?;
+    let part = compiler.compile_expression(&syntax)?;
     if let Some(fault) = find_misfit(place, text, &syntax, &part) {
         return refuse(part.range, fault);
     }
@@ -64,38 +64,40 @@ fn find_misfit(place: &Place, text: &str, syntax: &Expr, part: &Part) -> Option<
 
 impl Compiler<'_> {
     /// Compiles any part of the line.
-    pub fn expression(&mut self, syntax: &Expr) -> Result<Part, Refusal> {
+    pub fn compile_expression(&mut self, syntax: &Expr) -> Result<Part, Refusal> {
         let name = write_tokens(syntax);
         let part = match self.names.iter().find(|(known, _)| *known == name) {
             Some((_, part)) => part.clone(),
-            None => self.compile(syntax)?,
+            None => self.compile_unnamed(syntax)?,
         };
         Ok(Part { range: range_of(syntax), ..part })
     }
 
     /// Compiles a part that isn't just the name of a value.
-    fn compile(&mut self, syntax: &Expr) -> Result<Part, Refusal> {
+    fn compile_unnamed(&mut self, syntax: &Expr) -> Result<Part, Refusal> {
         match syntax {
             Expr::Lit(literal) => return literal_part(&literal.lit),
-            Expr::Paren(paren) => return self.expression(&paren.expr),
-            Expr::Block(block) => return self.statements(&block.block.stmts, range_of(block)),
-            Expr::If(branches) => return self.branches(branches),
+            Expr::Paren(paren) => return self.compile_expression(&paren.expr),
+            Expr::Block(block) => {
+                return self.compile_statements(&block.block.stmts, range_of(block));
+            }
+            Expr::If(branches) => return self.compile_if(branches),
             _ => {}
         }
         let (name, operands, sign) = split_operation(syntax)?;
-        let parts = operands.into_iter().map(|operand| self.expression(operand));
+        let parts = operands.into_iter().map(|operand| self.compile_expression(operand));
         let parts = parts.collect::<Result<Vec<_>, _>>()?;
         let is_member = matches!(syntax, Expr::Field(_) | Expr::MethodCall(_));
         let Some(receiver) = parts.first().filter(|_| is_member) else {
             if name.starts_with("DVec3") && !self.place.has_vectors {
                 return refuse(sign, Fault::NoVectors);
             }
-            return self.call(&name, &parts, sign);
+            return self.compile_call(&name, &parts, sign);
         };
         if receiver.is_open {
             return refuse(receiver.range.clone(), Fault::OpenReceiver);
         }
-        self.call(&(receiver.value_type.name().to_owned() + &name), &parts, sign)
+        self.compile_call(&(receiver.value_type.name().to_owned() + &name), &parts, sign)
     }
 
     /// A part that reads the next free slot: a variable, or a `let` whose value differs from pixel
@@ -107,7 +109,12 @@ impl Compiler<'_> {
     }
 
     /// Compiles a call to a function, an operator or a cast, whose name is at range `sign`.
-    fn call(&self, name: &str, parts: &[Part], sign: Range<usize>) -> Result<Part, Refusal> {
+    fn compile_call(
+        &self,
+        name: &str,
+        parts: &[Part],
+        sign: Range<usize>,
+    ) -> Result<Part, Refusal> {
         let types: Vec<_> = parts.iter().map(|part| part.value_type).collect();
         let Some(function) = find_function(name, &types) else {
             return Err(explain_refused_call(name, sign, parts, self.place, self.text));

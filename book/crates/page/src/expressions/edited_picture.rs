@@ -6,6 +6,7 @@ use crate::expressions::steps::{
     step01_rays, step02_sphere, step03_nearest, step04_diffuse, step05_phong,
 };
 use crate::expressions::value::Value;
+use course::FOV_DEGREES;
 use image::{Rgb, RgbImage};
 use std::cell::{Cell, RefCell};
 use step01_rays::Camera;
@@ -148,7 +149,7 @@ pub fn draw_edited(
     let picture = CONTEXT.with(|context| {
         context.picture.replace(EditedPicture::new(lines.to_vec(), operations));
         context.edited.set(edited);
-        let camera = Camera::new(columns, columns * 9 / 16, 60_f64.to_radians());
+        let camera = Camera::new(columns, columns * 9 / 16, FOV_DEGREES.to_radians());
         let picture = draw(&camera, 1);
         context.edited.set(0);
         picture

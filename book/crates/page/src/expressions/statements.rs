@@ -14,14 +14,14 @@ use syn::{ExprIf, Ident, LocalInit, Pat, PatIdent, Stmt};
 
 impl Compiler<'_> {
     /// Compiles an `if`.
-    pub fn branches(&mut self, branches: &ExprIf) -> Result<Part, Refusal> {
+    pub fn compile_if(&mut self, branches: &ExprIf) -> Result<Part, Refusal> {
         let Some((_, other)) = &branches.else_branch else {
             return refuse(range_of(&branches.if_token), Fault::MissingElse);
         };
-        let condition = self.expression(&branches.cond)?;
+        let condition = self.compile_expression(&branches.cond)?;
         let then = &branches.then_branch;
-        let then = self.statements(&then.stmts, range_of(then))?;
-        let other = self.expression(other)?;
+        let then = self.compile_statements(&then.stmts, range_of(then))?;
+        let other = self.compile_expression(other)?;
         for (part, wanted) in [(&condition, ValueType::Bool), (&other, then.value_type)] {
             if part.value_type != wanted {
                 let fault = explain_mismatch("if takes", part, self.text, wanted);
@@ -48,13 +48,13 @@ impl Compiler<'_> {
 
     /// Compiles the remaining statements of the block at `range`. Their value is that of the last
     /// one.
-    pub fn statements(
+    pub fn compile_statements(
         &mut self,
         statements: &[Stmt],
         range: Range<usize>,
     ) -> Result<Part, Refusal> {
         let (local, rest) = match statements {
-            [Stmt::Expr(value, None)] => return self.expression(value),
+            [Stmt::Expr(value, None)] => return self.compile_expression(value),
             [Stmt::Local(local), rest @ ..] => (local, rest),
             _ => return refuse(range, Fault::Block),
         };
@@ -65,14 +65,14 @@ impl Compiler<'_> {
         else {
             return refuse(range, Fault::Block);
         };
-        let value = self.expression(expr)?;
+        let value = self.compile_expression(expr)?;
         let is_constant = value.constant_value().is_some();
         let named_part = match is_constant {
             true => value.clone(),
             false => self.new_slot(value.value_type, value.is_open),
         };
         self.add_name(ident, named_part)?;
-        let part = self.statements(rest, range)?;
+        let part = self.compile_statements(rest, range)?;
         self.names.pop();
         if is_constant {
             return Ok(part);

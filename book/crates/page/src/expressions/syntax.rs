@@ -30,7 +30,7 @@ fn check_signs(text: &str) -> Result<(), Refusal> {
     }
     let is_unreadable = |sign: char| !sign.is_ascii() || "'\"#@$\\".contains(sign);
     if let Some((at, sign)) = text.char_indices().find(|(_, sign)| is_unreadable(*sign)) {
-        return refuse(at..at + 1, Fault::UnreadableSign(sign));
+        return refuse(at..at + sign.len_utf8(), Fault::UnreadableSign(sign));
     }
     let signs = [("//", Fault::LineComment), ("<-", Fault::LeftArrow), ("?", Fault::QuestionMark)];
     for (sign, fault) in signs {

@@ -23,7 +23,7 @@ const PROGRAM: &str = "#![allow(warnings)] use glam::DVec3; use std::panic::*; f
 /// Writes a random line of the type whose name begins with `letter`, or occasionally of a wrong
 /// type. In a pattern, `$` and a letter stand for a line of that type, `;` for a comma, and `#` for
 /// a semicolon.
-fn write_line(rng: &mut Rng, letter: &str, depth: usize) -> String {
+fn write_random_line(rng: &mut Rng, letter: &str, depth: usize) -> String {
     let is_wrong = rng.u8(..) < 5;
     let lists = include_str!("patterns.txt").lines().filter_map(|line| line.split_once(": "));
     let lists = lists.filter(|(name, _)| is_wrong || name.starts_with(letter));
@@ -33,7 +33,7 @@ fn write_line(rng: &mut Rng, letter: &str, depth: usize) -> String {
     let mut parts = pattern.split('$');
     let mut text = parts.next().unwrap_or_default().to_owned();
     for part in parts {
-        let inner = write_line(rng, &part[..1], depth.saturating_sub(1));
+        let inner = write_random_line(rng, &part[..1], depth.saturating_sub(1));
         let is_bare = rng.bool() || pattern.contains('(');
         text += &if is_bare { inner } else { format!("({inner})") };
         text += &part[1..];
@@ -87,7 +87,7 @@ fn rustc_judges_made_lines() {
     let mut lines = vec![];
     while lines.len() < 1000 {
         let (kind, depth) = (["f64", "DVec3", "bool"][rng.usize(..3)], rng.usize(2..5));
-        lines.push((kind, write_line(&mut rng, &kind[..1], depth)));
+        lines.push((kind, write_random_line(&mut rng, &kind[..1], depth)));
         lines.pop_if(|(_, text)| !(12..200).contains(&text.len()));
     }
     let [n, l] = [dvec3(0.5, -0.25, 2.0), dvec3(0.0, 0.0, 1.0)].map(Value::Vector);

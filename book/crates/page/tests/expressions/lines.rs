@@ -3,6 +3,7 @@
 
 use course::all_listed_places;
 use page::expressions::{Fault, Refusal, draw_edited, parse_expression};
+use std::ops::Range;
 
 #[test]
 fn refused_lines_have_their_range_and_sentence() {
@@ -12,7 +13,7 @@ fn refused_lines_have_their_range_and_sentence() {
         report += &match draw(name, text) {
             Ok(()) => format!("{name} {text}\n"),
             Err(Refusal { range, fault }) => {
-                let (start, end) = (range.start, text.ceil_char_boundary(range.end));
+                let Range { start, end } = range;
                 let [before, wrong, after] = [&text[..start], &text[start..end], &text[end..]];
                 format!("{name} {before}⟦{wrong}⟧{after}\n    {fault}\n")
             }

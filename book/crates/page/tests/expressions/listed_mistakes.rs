@@ -3,8 +3,8 @@
 
 use course::environment::is_thorough;
 use course::{
-    Mistake, Place, TableRow, all_listed_places, hash_picture, locked_hashes, mistakes, table_rows,
-    workspace,
+    Mistake, Place, TableRow, all_listed_places, hash_picture, hashes_of_right_pictures,
+    mistakes_with_rows, workspace,
 };
 use page::expressions::{draw_edited, parse_expression};
 use std::{fs, iter::once};
@@ -16,7 +16,7 @@ fn places_and_listed_mistakes_are_drawn_by_an_edited_line() {
     let step = if is_thorough() { 1 } else { 10 };
     let (mut count, mut refusals) = (0, vec![]);
     for place in all_listed_places() {
-        for (text, expected) in known_pictures(&place).into_iter().step_by(step) {
+        for (text, expected) in known_codes_with_hashes(&place).into_iter().step_by(step) {
             count += 1;
             let picture = parse_expression(&place, &text).and_then(|expression| {
                 draw_edited(&[expression], 640, u64::MAX).map_err(|line| line.refusal)
@@ -42,20 +42,20 @@ fn places_and_listed_mistakes_are_drawn_by_an_edited_line() {
 
 /// What can be typed at `place`, each with the hash of its picture: the book's code, and each
 /// mistake that changes nothing else.
-fn known_pictures(place: &Place) -> Vec<(String, u64)> {
+fn known_codes_with_hashes(place: &Place) -> Vec<(String, u64)> {
     let path = format!("steps/{}", place.file);
     let text = fs::read_to_string(workspace().join(&path)).expect("a file");
     let lines: Vec<_> = text.lines().map(str::trim_start).collect();
     let bare = lines.join("\n");
     let range = place.find_range(&bare).expect("the place");
     let (code_before, code_after) = (&bare[..range.start], &bare[range.end..]);
-    let right = locked_hashes().find(|(name, _)| *name == place.step_name());
+    let right = hashes_of_right_pictures().find(|(name, _)| *name == place.step_name());
     let (_, right) = right.expect("a locked picture");
-    let edit = |(mistake, row): (&Mistake, TableRow)| {
+    let edit = |(mistake, row): (&Mistake, &TableRow)| {
         let edited = mistake.apply_and_unindent(&bare).ok().filter(|_| mistake.file == path)?;
         let new = edited.strip_prefix(code_before)?.strip_suffix(code_after)?;
         Some((new.to_owned(), row.hashes.first()?.unwrap_or(right)))
     };
-    let edits = mistakes().iter().zip(table_rows()).filter_map(edit);
+    let edits = mistakes_with_rows().filter_map(edit);
     once((place.code.to_owned(), right)).chain(edits).collect()
 }
