@@ -3,16 +3,16 @@
 use crate::directive::{Directive, replace_directives};
 use crate::fault::{ChapterError, ChapterResult, Fault};
 use crate::markdown;
-use crate::picture::{self, Loading};
+use crate::picture::{self, Interaction, Loading};
 use crate::problem::{Heading, OpenProblem, Position, Problem};
 use crate::{
     Sources, check_form, console, figure, folded_box, formula, listing, mistake_gallery, note,
     numbers, pixel_panel,
 };
-use figures::Figure;
 use mdbook_markdown::pulldown_cmark::{
     CodeBlockKind, Event, Parser, Tag, TagEnd, TextMergeWithOffset,
 };
+use std::mem;
 use std::ops::Range;
 
 /// The most lists, quotations and emphases inside one another. mdBook overflows its stack if there
@@ -61,6 +61,7 @@ pub fn expand_chapter(text: &str, sources: &Sources, our_folder: &str) -> Expand
         problems: vec![],
         sheet_position: None,
         missing_panel: None,
+        panel_ends_frame: false,
     };
     chapter.expand_blocks();
     chapter.copy_until(text.len());
@@ -97,6 +98,8 @@ struct Chapter<'a> {
     sheet_position: Option<usize>,
     /// The position and name of an interactive picture with a probe, until its panel begins.
     missing_panel: Option<(usize, &'static str)>,
+    /// Whether the open box is a panel that stands in one frame with its picture.
+    panel_ends_frame: bool,
 }
 
 type Events<'a> = [(Event<'a>, Range<usize>)];
@@ -179,11 +182,24 @@ impl<'a> Chapter<'a> {
         }
     }
 
+    /// Whether the block at this position has notes, and so a frame around it.
+    fn has_notes(&self, start: usize) -> bool {
+        self.noted_blocks.iter().any(|block| block.start == start)
+    }
+
     /// Opens the frame around a block and its notes, if the block at this position has any.
     fn begin_noted_block(&mut self, start: usize) {
-        if self.noted_blocks.iter().any(|block| block.start == start) {
+        if self.has_notes(start) {
             self.copy_until(start);
             self.expanded += note::OPENING_HTML;
+        }
+    }
+
+    /// Puts a frame around a block without notes beside which a page opens a tool.
+    fn frame_block_with_tool(&self, html: String, start: usize) -> String {
+        match self.has_notes(start) {
+            true => html,
+            false => [note::OPENING_HTML, &html, note::CLOSING_HTML].concat(),
         }
     }
 
@@ -210,7 +226,7 @@ impl<'a> Chapter<'a> {
         let source = &self.text[range.clone()];
         let values = &self.sources.values;
         Some(match event {
-            Event::Start(Tag::CodeBlock(kind)) => self.expand_code_block(kind, source),
+            Event::Start(Tag::CodeBlock(kind)) => self.expand_code_block(kind, source, range.start),
             Event::Start(Tag::Paragraph) => {
                 let html = self.expand_paragraph(events, range)?;
                 html.map(|html| format!("\n{html}\n"))
@@ -268,7 +284,12 @@ impl<'a> Chapter<'a> {
 
     /// Expands a code block: an include becomes a listing, and commands get a caption. Rust typed
     /// into the chapter itself is a fault, since nothing would compile it.
-    fn expand_code_block(&mut self, kind: &CodeBlockKind, source: &str) -> ChapterResult<String> {
+    fn expand_code_block(
+        &mut self,
+        kind: &CodeBlockKind,
+        source: &str,
+        start: usize,
+    ) -> ChapterResult<String> {
         let CodeBlockKind::Fenced(info) = kind else {
             return numbers::fill_in_code(source, &self.sources.values);
         };
@@ -277,7 +298,11 @@ impl<'a> Chapter<'a> {
         let content = lines[..lines.len().saturating_sub(1)].join("\n");
         let include = Directive::parse(&content).filter(|directive| directive.kind == "include");
         let html = if let Some(Directive { words, .. }) = include {
-            listing::html(language, word, words, self.sources, &mut self.listings)?
+            let html = listing::html(language, word, words, self.sources, &mut self.listings)?;
+            match html.contains(listing::PLACES_ATTRIBUTE) {
+                true => self.frame_block_with_tool(html, start),
+                false => html,
+            }
         } else if language == "console" {
             console::figure_markdown(word, &content)?
         } else if ["", "rust", "toml"].contains(&language) {
@@ -371,7 +396,10 @@ impl<'a> Chapter<'a> {
     /// one.
     fn pixel_panel_html(&mut self, name: &str) -> ChapterResult<String> {
         match self.missing_panel.take_if(|(_, picture)| *picture == name) {
-            Some((_, picture)) => Ok(pixel_panel::opening_html(picture)),
+            Some((position, picture)) => {
+                self.panel_ends_frame = !self.has_notes(position);
+                Ok(pixel_panel::opening_html(picture))
+            }
             None => Err(ChapterError::PanelWithoutPicture(name.to_owned())),
         }
     }
@@ -379,6 +407,9 @@ impl<'a> Chapter<'a> {
     /// Closes the open box and, if the box is the answer of a problem, that problem.
     fn end_box(&mut self) -> ChapterResult<String> {
         match (self.open_box.take(), self.open_problem.take()) {
+            (Some(_), None) if mem::take(&mut self.panel_ends_frame) => {
+                Ok(format!("</details>\n{}", note::CLOSING_HTML))
+            }
             (Some(_), None) => Ok("</details>\n".to_owned()),
             (Some(_), Some(problem)) => {
                 let start = problem.start;
@@ -395,7 +426,7 @@ impl<'a> Chapter<'a> {
     }
 
     /// Expands a paragraph that consists only of pictures. A directive such as `{{#live
-    /// own_scene}}` after them makes them interactive.
+    /// own_scene}}` or `{{#preview own_scene}}` after them makes them interactive.
     fn expand_pictures_alone(
         &mut self,
         events: &Events,
@@ -411,19 +442,28 @@ impl<'a> Chapter<'a> {
                 pictures.push([markdown, &**dest_url, &**title]);
             }
         }
-        let live = Directive::parse(&remaining).filter(|directive| directive.kind == "live");
-        let is_whole = live.is_some() || remaining.trim().is_empty();
+        let directive = Directive::parse(&remaining);
+        let directive = directive.filter(|directive| matches!(directive.kind, "live" | "preview"));
+        let is_whole = directive.is_some() || remaining.trim().is_empty();
         if !is_whole || pictures.is_empty() {
             return None;
         }
-        let live = match live.map(|directive| find_live(directive.words)).transpose() {
-            Ok(live) => live,
+        let interaction = match directive.map(find_interaction).transpose() {
+            Ok(interaction) => interaction,
             Err(error) => return Some(Err(error)),
         };
-        if let Some(picture) = live.filter(|live| live.probe().is_some()) {
-            self.missing_panel = Some((range.start, picture.name));
-        }
-        Some(self.figures_html(&pictures, live))
+        let html = self.figures_html(&pictures, interaction);
+        Some(match interaction {
+            Some(Interaction::Live(picture)) if picture.probe().is_some() => {
+                self.missing_panel = Some((range.start, picture.name));
+                let opening = if self.has_notes(range.start) { "" } else { note::OPENING_HTML };
+                html.map(|html| opening.to_owned() + &html)
+            }
+            Some(Interaction::Live(picture)) if picture.editable_scene.is_some() => {
+                html.map(|html| self.frame_block_with_tool(html, range.start))
+            }
+            _ => html,
+        })
     }
 
     /// The figures for some pictures, given as `[markdown, file, caption]`. Several stand side by
@@ -431,12 +471,12 @@ impl<'a> Chapter<'a> {
     fn figures_html(
         &mut self,
         pictures: &[[&str; 3]],
-        live: Option<&Figure>,
+        interaction: Option<Interaction>,
     ) -> ChapterResult<String> {
         let mut figures = String::new();
         for [markdown, file, caption] in pictures {
             let image = picture::markdown_html(markdown, file, self.sources, &mut self.loading)?;
-            figures += &picture::figure_html(&image, caption, live, &self.sources.values)?;
+            figures += &picture::figure_html(&image, caption, interaction, &self.sources.values)?;
         }
         if pictures.len() > 1 {
             // A browser's reader view would drop a `div` of pictures as decoration.
@@ -446,8 +486,12 @@ impl<'a> Chapter<'a> {
     }
 }
 
-fn find_live(name: &str) -> ChapterResult<&'static Figure> {
-    figures::find(name).ok_or_else(|| ChapterError::UnknownLive(name.to_owned()))
+/// How a picture with this directive, `live` or `preview`, reacts to a reader.
+fn find_interaction(directive: Directive) -> ChapterResult<Interaction<'static>> {
+    let Directive { kind, words } = directive;
+    let figure = figures::find(words).ok_or_else(|| ChapterError::UnknownLive(words.to_owned()))?;
+    let make = if kind == "live" { Interaction::Live } else { Interaction::Preview };
+    Ok(make(figure))
 }
 
 /// Whether code is a name such as `Ray::at`, in which a line may break.

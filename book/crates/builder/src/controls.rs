@@ -5,11 +5,16 @@ use figures::{Figure, Parameter, ParameterKind, escape, italic_letter};
 const HINT: &str = "<span class=\"hint\">Click or tap the picture, or move the cross \
                     with the arrow keys, to choose a pixel.</span>";
 
+/// The link gets the reader's scene; see book/theme/own_scene.js.
+const SCENE_HINT: &str = "<span class=\"hint\">Drag a ball, and the code of step 5 draws the \
+                          picture again. When you want more, <a href=\"own_scene.html\">A scene of \
+                          your own</a> goes on from here.</span>";
+
 const RESET: &str = "<button type=\"button\" class=\"reset\" disabled>Reset</button>";
 
 /// The controls below a figure, one for each parameter. Number fields for what a handle sets are
 /// folded away. An editable scene has a choice of its objects, and the page shows the controls of
-/// one object at a time.
+/// one object at a time, in the margin where there is one.
 ///
 /// They are hidden if no script can make the figure interactive. Otherwise they are shown from the
 /// first, and work as soon as the module has come; see book/theme/figure.js.
@@ -39,7 +44,14 @@ pub fn html(figure: &Figure) -> String {
     } else {
         format!("{above}{}{RESET}", exact_html(&exact))
     };
-    format!("<div class=\"controls\" hidden inert>{hint}{content}</div>")
+    let tool = if figure.editable_scene.is_some() { " tool" } else { "" };
+    format!("<div class=\"controls{tool}\" hidden inert>{hint}{content}</div>")
+}
+
+/// What is below a picture that is interactive once it is touched: a hint.
+pub fn preview_html(figure: &Figure) -> String {
+    let hint = if figure.editable_scene.is_some() { SCENE_HINT } else { HINT };
+    format!("<div class=\"controls\" hidden>{hint}</div>")
 }
 
 /// The folded number fields, with a row for each object that they belong to.

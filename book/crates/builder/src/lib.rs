@@ -17,6 +17,7 @@
 //!   when its interactive figure changes.
 //! - A *figure* is a drawing of the crate `figures`, and a *picture* is a PNG file, locked or made
 //!   from code. Followed by `live`, a picture is interactive: its *controls* set the parameters.
+//!   Followed by `preview`, it is interactive once somebody touches it, without controls.
 //! - `pixel-panel` … `end` is the box *This pixel* below an interactive picture with a *probe*. Its
 //!   text has a `number` for each step from the ray of the chosen pixel to its three bytes. In a
 //!   table there, `rows` with a picture and columns becomes a row for each sphere or mirror.

@@ -11,6 +11,9 @@ use std::ops::Range;
 use std::path::Path;
 use std::sync::LazyLock;
 
+/// The attribute of a listing in which a reader may edit something.
+pub const PLACES_ATTRIBUTE: &str = "data-places";
+
 static PLACES: LazyLock<Vec<Place>> = LazyLock::new(course::all_listed_places);
 
 /// The listing for `{{#include path}}`, or for a part of a file, such as
@@ -90,7 +93,7 @@ fn places_attribute(path: &str, code: &str) -> String {
     });
     match entries.collect::<Vec<_>>().join(" ") {
         none if none.is_empty() => none,
-        places => format!(" data-places=\"{places}\""),
+        places => format!(" {PLACES_ATTRIBUTE}=\"{places}\""),
     }
 }
 
