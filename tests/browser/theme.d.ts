@@ -22,6 +22,8 @@ interface Book {
   copyBy(button: HTMLButtonElement, text: string, words?: string): Promise<void>;
   /** A number as people type it: 58.72, 58,72, 1/2, −3 or 60°. NaN if it isn't one. */
   readNumber(text: string): number;
+  /** How many states a key leads on, or back if negative: Ctrl+Z, Ctrl+Shift+Z or Ctrl+Y. 0 for any other key. */
+  readUndoKey(event: KeyboardEvent): number;
   /** Calls `near`, once for each element, when the element comes near the view. */
   whenNear(elements: Iterable<HTMLElement> & { forEach(act: (element: HTMLElement) => void): void }, near: (element: HTMLElement) => void): void;
   /**
@@ -33,6 +35,8 @@ interface Book {
   colourCode(code: Element): void;
   /** Colours a listing once the script for it has come, unless the listing is being edited. */
   colour(code: Element): void;
+  /** The last press on each preview that wasn't ready then. */
+  presses: Map<Element, PointerEvent>;
   /** States that can be undone and done again. */
   History: new <State>(state: State) => UndoHistory<State>;
 
@@ -61,6 +65,8 @@ interface Book {
   Handle: new (figure: InteractiveFigure, about: HandleAbout, index: number) => Handle;
   /** Adds the tools of an editable scene to its figure. */
   followScene(figure: InteractiveFigure): void;
+  /** Makes a figure interactive. */
+  activateFigure(root: HTMLElement): Promise<void>;
   /** A request that the module has no reply to. */
   Refusal: new (message: string) => Error;
 
@@ -186,6 +192,8 @@ interface InteractiveFigure {
   handles: Handle[];
   probe: Handle | undefined;
   root: HTMLElement;
+  /** Whether it has no controls. */
+  isPreview: boolean;
   stage: HTMLElement;
   controls: HTMLElement;
   fault: HTMLElement;
