@@ -8,7 +8,7 @@ const NORMAL = '(p - sphere.centre) / sphere.radius';
 async function prepare(page, home, hash = '') {
   await open(page, `${home}${STEP}.html${hash}`);
   const line = page.locator('[data-line=normal]');
-  await line.scrollIntoViewIfNeeded();
+  await line.evaluate(one => one.scrollIntoView({ block: 'center' })); // Colours may make a new element of it meanwhile.
   const listing = page.locator('.with-margin', { has: line });
   await listing.locator('code.hljs').or(listing.locator('canvas')).first().waitFor();
   return { line, listing, status: listing.getByRole('status') };
