@@ -46,7 +46,7 @@
             this.show(this.reply);
             this.selectObject(this.handles[0]?.object);
             // What can be dragged says so until the figure has been touched.
-            this.handles.find(({ about }) => about.mark === "point")?.element.classList.add("first");
+            this.handles.find(({ about }) => about.mark !== "probe")?.element.classList.add("first");
             for (const kind of ["pointerdown", "keydown"]) {
                 this.stage.addEventListener(kind, () => { root.dataset.touched = ""; }, { once: true });
             }

@@ -125,20 +125,28 @@
         if (line !== hand) delete line.dataset.book;
     }
 
+    // Opens or closes the panel, and leaves an element where it is in the window: notes above it may go into the
+    // margin meanwhile, or come back.
+    /** @param {Element} element @param {() => void} act */
+    function keepPlace(element, act) {
+        const { top } = element.getBoundingClientRect();
+        act();
+        scrollBy({ top: element.getBoundingClientRect().top - top, behavior: "instant" });
+    }
+
     /** @param {EditedLine} line */
     function take(line) {
-        const { top } = line.getBoundingClientRect();
-        release();
+        keepPlace(line, () => {
+            release();
+            line.closest("figure").after(tool);
+        });
         hand = line;
         undone = "";
         keepBook(line);
         line.ariaCurrent = "true";
         document.querySelector(".line.first")?.classList.remove("first");
-        line.closest("figure").after(tool);
         line.closest("pre").scrollLeft = 0;
         say("One moment …");
-        // Above the line, notes may have gone back into the margin.
-        scrollBy({ top: line.getBoundingClientRect().top - top, behavior: "instant" });
         keepInView();
         draw(LARGE);
     }
@@ -301,7 +309,9 @@
 
     // What is as the book has it is closed by a click elsewhere. Undo takes another line only after this.
     addEventListener("click", event => {
-        if (hand && isBook(hand) && ![tool, hand.closest("figure")].some(part => event.composedPath().includes(part))) release();
+        if (hand && isBook(hand) && ![tool, hand.closest("figure")].some(part => event.composedPath().includes(part))) {
+            keepPlace(/** @type {Element} */ (event.target), release);
+        }
     }, { capture: true });
     addEventListener("hashchange", openAddress);
     // A keyboard on the screen covers the end of the page: the panel stays above it.

@@ -123,6 +123,20 @@ for (const [width, height] of [[1440, 900], [1280, 720], [1000, 720], [390, 844]
   });
 }
 
+test('a line stays in its place when the panel comes from a listing above', async ({ page, home }) => {
+  const { line } = await prepare(page, home);
+  const other = page.locator('[data-line=attenuation]');
+  await line.click();
+  await other.evaluate(one => one.scrollIntoView({ block: 'center' }));
+  await page.waitForTimeout(500); // What comes near is laid out.
+  const place = async () => (await other.boundingBox()).y;
+  const before = await place();
+  await other.click();
+  await expect(page.locator('.with-margin', { has: other }).locator('.panel')).toBeVisible();
+  await page.waitForTimeout(500);
+  expect(Math.abs(await place() - before)).toBeLessThan(2);
+});
+
 test('the first line says that it can be edited, until a line is taken, and each has its name', async ({ page, home }) => {
   const { line } = await prepare(page, home);
   const mark = () => page.locator('[data-line]').first().evaluate(one => getComputedStyle(one, '::after').content);

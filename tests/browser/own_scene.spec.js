@@ -65,15 +65,13 @@ for (const [width, height] of [[1440, 900], [1280, 720], [1100, 720]]) {
   });
 }
 
-for (const height of [844, 508]) {
-  test(`on a phone, the picture stays in view above the controls (390×${height})`, async ({ page, home }) => {
-    await page.setViewportSize({ width: 390, height });
-    await open(page, `${home}own_scene.html`);
-    await page.locator('figure[data-live=own_scene][data-ready]').waitFor({ timeout: 20_000 });
-    await page.getByRole('button', { name: 'Download PNG' }).evaluate(one => one.scrollIntoView({ block: 'end' }));
-    await expect(page.locator('.stage')).toBeInViewport({ ratio: 1 });
-  });
-}
+test('on a phone with its keyboard open, the picture stays in view above the controls', async ({ page, home }) => {
+  await page.setViewportSize({ width: 390, height: 508 });
+  await open(page, `${home}own_scene.html`);
+  await page.locator('figure[data-live=own_scene][data-ready]').waitFor({ timeout: 20_000 });
+  await page.getByRole('button', { name: 'Download PNG' }).evaluate(one => one.scrollIntoView({ block: 'end' }));
+  await expect(page.locator('.stage')).toBeInViewport({ ratio: 1 });
+});
 
 test('the first page’s picture loads nothing until somebody is at it, then a ball is dragged, and its link has the scene', async ({ page, home }) => {
   const files = [];
@@ -98,4 +96,24 @@ test('the first page’s picture loads nothing until somebody is at it, then a b
   await link.click();
   await expect(page).toHaveURL(/own_scene.html#scene=red-sphere-upwards:0.\d+$/);
   await expect(page.locator('figure[data-live=own_scene] canvas')).toBeVisible({ timeout: 20_000 });
+});
+
+test.describe('with a finger', () => {
+  test.use({ viewport: { width: 390, height: 844 }, hasTouch: true });
+
+  test('the first touch of the first page’s picture drags a ball', async ({ page, home, browserName }) => {
+    test.skip(browserName !== 'chromium', 'only Chromium takes touches from a test');
+    await open(page, `${home}index.html`);
+    const figure = page.locator('figure[data-preview]');
+    const { x, y, width } = await figure.locator('img').boundingBox();
+    const touch = await page.context().newCDPSession(page);
+    const send = (type, ...touchPoints) => touch.send('Input.dispatchTouchEvent', { type, touchPoints });
+    const at = i => ({ x: x + i / 640 * width, y: y + 240 / 640 * width });
+    await send('touchStart', at(250));
+    await send('touchMove', at(280)); // Sideways: a finger that goes up or down scrolls the page.
+    await figure.and(page.locator('[data-ready]')).waitFor({ timeout: 20_000 });
+    for (const i of [300, 320, 340]) await send('touchMove', at(i));
+    await send('touchEnd');
+    await expect(figure.getByRole('link', { name: 'A scene of your own' })).toHaveAttribute('href', /#scene=red-sphere-sideways:/);
+  });
 });

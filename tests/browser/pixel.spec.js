@@ -74,3 +74,13 @@ for (const [name, seen] of Object.entries({
     await expect(page).toHaveURL(new RegExp(`#pixel=${i},${j}$`));
   });
 }
+
+test('the keys reach a pixel of the first picture', async ({ page, home }) => {
+  await open(page, `${home}step05_phong.html`);
+  const preview = page.locator('figure[data-preview]');
+  await preview.focus();
+  await expect(preview.locator('.handle-probe')).toBeFocused({ timeout: 20_000 });
+  await page.keyboard.press('ArrowLeft');
+  await expect(preview.locator('.hint b')).toHaveText(/^salmon, t = /);
+  await expect(page).toHaveURL(/#pixel=469,120$/);
+});
