@@ -162,6 +162,20 @@ for (const [width, height] of [[390, 508], [640, 400]]) {
   });
 }
 
+test('when a keyboard takes half of a phone, the line stays above the panel', async ({ page, home }) => {
+  await page.setViewportSize({ width: 390, height: 844 });
+  const { line, listing, status } = await prepare(page, home);
+  await line.evaluate(one => one.scrollIntoView({ block: 'center' }));
+  await line.click();
+  await expect(status).toContainText('sphere.centre');
+  await page.setViewportSize({ width: 390, height: 508 });
+  await expect(async () => {
+    const [{ y, height }, panel] = [await line.boundingBox(), await listing.locator('.panel').boundingBox()];
+    expect(y + height).toBeLessThanOrEqual(panel.y);
+    expect(panel.y + panel.height).toBeCloseTo(508, 0);
+  }).toPass({ timeout: 5000 });
+});
+
 test('a link with a control character, or with more edits than places, changes nothing', async ({ page, home }) => {
   const hashes = {
     'control character': '#line=normal:p%20%1Fattenuation%201.0',

@@ -84,3 +84,19 @@ test('the keys reach a pixel of the first picture', async ({ page, home }) => {
   await expect(preview.locator('.hint b')).toHaveText(/^salmon, t = /);
   await expect(page).toHaveURL(/#pixel=469,120$/);
 });
+
+test('on a phone, the picture stays in view while the panel is read', async ({ page, home }) => {
+  await page.setViewportSize({ width: 390, height: 844 });
+  await open(page, `${home}step05_phong.html`);
+  const [figure, panel] = [page.locator('figure[data-live="step05_phong"]'), page.locator('[data-panel]')];
+  await figure.scrollIntoViewIfNeeded();
+  await figure.and(page.locator('[data-ready]')).waitFor({ timeout: 20_000 });
+  const stage = figure.locator('.stage');
+  await stage.evaluate(one => one.scrollIntoView({ block: 'center' }));
+  const { x, y } = await stage.boundingBox();
+  await page.mouse.click(x + 100, y + 100);
+  await expect(panel).toHaveAttribute('open');
+  expect((await stage.boundingBox()).y).toBeCloseTo(y, 0);
+  await panel.evaluate(one => one.scrollIntoView({ block: 'end' }));
+  await expect(stage).toBeInViewport({ ratio: 1 });
+});
