@@ -139,9 +139,7 @@
             this.reset = /** @type {HTMLButtonElement} */ (this.controls.querySelector(".reset"));
             this.reset.addEventListener("click", () => {
                 this.values = this.defaults;
-                this.pixel = undefined;
-                clearTimeout(this.addressTimer);
-                if (location.hash.startsWith("#pixel=")) writeHash("");
+                if (this.probe) this.forgetPixel();
                 this.draw();
             });
         }
@@ -303,6 +301,14 @@
             if (!this.isPreview) this.openPanel(true);
             clearTimeout(this.addressTimer);
             this.addressTimer = setTimeout(() => writeHash(`#pixel=${this.pixel}`), REST);
+        }
+
+        // The pixel at the beginning is one that nobody chose.
+        forgetPixel() {
+            const { horizontal, vertical } = this.probe.about;
+            this.pixel = `${this.defaults[horizontal]},${this.defaults[vertical]}`;
+            clearTimeout(this.addressTimer);
+            if (location.hash.startsWith("#pixel=")) writeHash("");
         }
 
         // An open panel takes the margin, if there is one.

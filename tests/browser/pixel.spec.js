@@ -45,6 +45,7 @@ test('the first click on a picture opens the panel beside it, and the address fo
   await expect(panel).toBeVisible();
   await figure.locator('.reset').click();
   await expect(page).not.toHaveURL(/#pixel/);
+  await expect(figure.locator('.hint b')).toHaveText('salmon, t = 9.7415');
 });
 
 for (const [name, seen] of Object.entries({
