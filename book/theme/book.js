@@ -52,6 +52,13 @@ const book = /** @type {any} */ ({ root: document.documentElement });
         return numbers.length < 3 ? numbers.reduce((numerator, denominator) => numerator / denominator) : NaN;
     };
 
+    book.readUndoKey = ({ key, ctrlKey, metaKey, shiftKey }) => {
+        const letter = ctrlKey || metaKey ? key.toLowerCase() : "";
+        if (letter === "y" && ctrlKey) return 1;
+        if (letter !== "z") return 0;
+        return shiftKey ? 1 : -1;
+    };
+
     book.whenNear = (elements, near) => {
         const observer = new IntersectionObserver(entries => {
             for (const { isIntersecting, target } of entries) {
@@ -234,8 +241,14 @@ const book = /** @type {any} */ ({ root: document.documentElement });
     // The scripts that only some pages need, each with a selector for what needs it. They are run
     // in this order.
     const SCRIPTS = {
-        wasm: "[data-live], [data-check], [data-places]", handle: "figure[data-live]", own_scene: "figure[data-live=own_scene]",
-        figure: "figure[data-live]", check_form: "form[data-check]", line_editor: "[data-places]",
+        wasm: "[data-live], .woken, [data-check], [data-places]", handle: "figure:is([data-live], .woken)",
+        own_scene: "figure:is([data-live=own_scene], [data-preview=own_scene].woken)",
+        figure: "figure:is([data-live], .woken)", check_form: "form[data-check]", line_editor: "[data-places]",
+    };
+    const loadScripts = () => {
+        for (const [name, selector] of Object.entries(isWhole ? {} : SCRIPTS)) {
+            if (document.querySelector(selector)) loadOrSay(`theme/${name}.js`);
+        }
     };
 
     /** @param {string} file */
@@ -245,9 +258,26 @@ const book = /** @type {any} */ ({ root: document.documentElement });
     // it is shown.
     requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(() => {
         book.whenNear(document.querySelectorAll("pre > code:is(.language-rust, .language-toml)"), book.colour);
-        for (const [name, selector] of Object.entries(isWhole ? {} : SCRIPTS)) {
-            if (document.querySelector(selector)) loadOrSay(`theme/${name}.js`);
-        }
+        loadScripts();
         loadOrSay("theme/search.js");
     })));
+
+    // A preview loads what it needs once somebody is at it. The last press is kept until it is ready.
+    book.presses = new Map();
+    for (const root of isWhole ? [] : document.querySelectorAll("figure[data-preview]")) {
+        root.tabIndex = 0;
+        const wake = () => {
+            if (root.matches(".woken")) return;
+            root.classList.add("woken");
+            loadScripts();
+            book.activateFigure?.(root);
+        };
+        for (const kind of ["pointerenter", "pointerdown", "focusin"]) root.addEventListener(kind, wake);
+        for (const kind of ["pointerdown", "click"]) {
+            root.addEventListener(kind, event => {
+                if (/** @type {Element} */ (event.target).matches("img")) book.presses.set(root, /** @type {PointerEvent} */ (event));
+            });
+        }
+        root.addEventListener("pointercancel", () => book.presses.delete(root));
+    }
 }

@@ -9,6 +9,9 @@
 
     book.Refusal = class extends Error {};
 
+    /** @param {string} hash */
+    const writeHash = hash => history.replaceState(null, "", hash || location.pathname + location.search);
+
     /** @implements {InteractiveFigure} */
     class Figure {
         /** @param {HTMLElement} root @param {Module} module @param {HTMLElement} controls @param {HTMLElement} fault */
@@ -17,7 +20,8 @@
             this.module = module;
             this.controls = controls;
             this.fault = fault;
-            this.name = root.dataset.live;
+            this.isPreview = root.matches("[data-preview]");
+            this.name = root.dataset.live ?? root.dataset.preview;
             /** @type {(() => void) | undefined} */
             this.afterShow = undefined;
             /** @type {(() => void) | undefined} */
@@ -35,11 +39,17 @@
             this.findControls();
             /** @type {Handle[]} */
             this.handles = this.about.handles.map((about, index) => new book.Handle(this, about, index));
-            this.stage.append(...this.handles.map(handle => handle.element));
             this.probe = this.handles.find(handle => handle.about.mark === "probe");
+            if (this.isPreview && this.probe) this.handles = [this.probe];
+            this.stage.append(...this.handles.map(handle => handle.element));
             if (this.probe) this.followPresses();
             this.show(this.reply);
             this.selectObject(this.handles[0]?.object);
+            // What can be dragged says so until the figure has been touched.
+            this.handles.find(({ about }) => about.mark !== "probe")?.element.classList.add("first");
+            for (const kind of ["pointerdown", "keydown"]) {
+                this.stage.addEventListener(kind, () => { root.dataset.touched = ""; }, { once: true });
+            }
         }
 
         // The reply of the module. Throws a refusal if there is none.
@@ -55,7 +65,10 @@
         makeStage() {
             /** @type {HTMLImageElement} */
             const printed = this.root.querySelector("svg, img");
-            this.size = ["width", "height"].map(side => Number(printed.getAttribute(side)));
+            const size = ["width", "height"].map(side => Number(printed.getAttribute(side)));
+            // The picture of the cover has more columns than the one that is drawn.
+            const scale = this.about.columns ? this.about.columns / size[0] : 1;
+            this.size = size.map(side => side * scale);
             this.stage = book.make("div", { class: "stage" });
             this.stage.style.aspectRatio = this.size.join(" / ");
             printed.replaceWith(this.stage);
@@ -64,18 +77,24 @@
             this.printed = printed;
             /** @type {HTMLElement} */
             this.output = printed;
-            // Milliseconds that the picture takes with all its columns, as far as is known.
-            this.wholeTime = 0;
+            // Milliseconds that the picture takes with all its columns: a guess, until it is drawn.
+            this.wholeTime = 2 * FRAME;
             this.restTimer = 0;
+            this.addressTimer = 0;
             this.frame = 0;
         }
 
         // What is elsewhere on the page and depends on the values.
         findReadouts() {
             const { name } = this;
+            this.panel = /** @type {HTMLDetailsElement} */ (document.querySelector(`[data-panel="${name}"]`));
+            /** @type {HTMLElement[]} */
+            this.readouts = [];
+            /** @type {HTMLElement[]} */
+            this.conditionalParts = [];
+            if (this.isPreview) return;
             this.readouts = [...document.querySelectorAll(`[data-number^="${name}:"]`)];
             this.conditionalParts = [...document.querySelectorAll(`[data-when^="${name}:"]`)];
-            this.panel = /** @type {HTMLDetailsElement} */ (document.querySelector(`[data-panel="${name}"]`));
             this.code = document.querySelector(`[data-code="${name}"] code`);
             this.companion = document.querySelector(`[data-companion="${name}"]`);
         }
@@ -106,6 +125,7 @@
         findControls() {
             /** @type {Map<string, Control>} */
             this.parameterControls = new Map();
+            if (this.isPreview) return;
             for (const parameter of this.about.parameters) {
                 const element = this.controls.querySelector(`[data-parameter="${parameter.id}"]`);
                 /** @type {HTMLInputElement[]} */
@@ -117,7 +137,11 @@
             this.objectSelect = /** @type {HTMLSelectElement} */ (this.controls.querySelector(".choice select"));
             this.objectSelect?.addEventListener("change", () => this.selectObject(this.objectSelect.value));
             this.reset = /** @type {HTMLButtonElement} */ (this.controls.querySelector(".reset"));
-            this.reset.addEventListener("click", () => { this.values = this.defaults; this.draw(); });
+            this.reset.addEventListener("click", () => {
+                this.values = this.defaults;
+                if (this.probe) this.forgetPixel();
+                this.draw();
+            });
         }
 
         /** @param {string} id */
@@ -152,8 +176,10 @@
         /** @param {string | undefined} object */
         selectObject(object) {
             if (!object) return;
-            this.objectSelect.value = object;
-            this.showControls();
+            if (this.objectSelect) {
+                this.objectSelect.value = object;
+                this.showControls();
+            }
             for (const handle of this.handles) handle.element.classList.toggle("chosen", handle.object === object);
         }
 
@@ -203,7 +229,7 @@
             this.showControls();
             this.handles.forEach(handle => handle.show());
             this.showReadouts(reply);
-            this.reset.disabled = this.about.parameters.every(({ id }) => this.values[id] === this.defaults[id]);
+            if (this.reset) this.reset.disabled = this.about.parameters.every(({ id }) => this.values[id] === this.defaults[id]);
             this.afterShow?.();
         }
 
@@ -244,26 +270,69 @@
         /** @param {Record<string, string>} readouts */
         showPixel({ i, j, object, seen, bytes }) {
             this.probe.element.setAttribute("aria-valuetext", `column ${i}, row ${j}: ${seen}, colour ${bytes}`);
+            const isFirst = this.pixel === undefined;
+            const isOther = !isFirst && this.pixel !== `${i},${j}`;
+            this.pixel = `${i},${j}`;
+            if (isFirst) return;
+            const swatch = book.make("span", { class: "swatch" });
+            swatch.style.background = `rgb${bytes}`;
+            this.controls.querySelector(".hint").replaceChildren(book.make("b", {}, seen), " ", swatch, ` ${bytes} `, ...this.makeLinks());
+            if (!this.panel) return;
             /** @type {NodeListOf<HTMLTableRowElement>} */
             const rows = this.panel.querySelectorAll("tr");
-            for (const row of rows) row.classList.toggle("hit", row.cells[0].textContent === object);
-            if (this.isPixelChosen) {
-                const swatch = book.make("span", { class: "swatch" });
-                swatch.style.background = `rgb${bytes}`;
-                this.controls.querySelector(".hint").replaceChildren(book.make("b", {}, seen), " ", swatch, ` ${bytes}`);
-            }
-            this.isPixelChosen = true;
+            if (!this.isPreview) for (const row of rows) row.classList.toggle("hit", row.cells[0].textContent === object);
+            if (isOther) this.followPixel();
+        }
+
+        // What leads to the chosen pixel: from a preview to the panel on the same page, and from elsewhere to here.
+        makeLinks() {
+            if (!this.panel) return [];
+            if (this.isPreview) return [book.make("a", { href: `#pixel=${this.pixel}` }, "The whole sum")];
+            this.copyLink ??= book.make("button", { type: "button", class: "copy" }, "Copy link");
+            this.copyLink.onclick = () => {
+                writeHash(`#pixel=${this.pixel}`);
+                book.copyBy(this.copyLink, location.href);
+            };
+            return [this.copyLink];
+        }
+
+        // The panel opens, and the address follows the pixel once it is at rest.
+        followPixel() {
+            if (!this.isPreview) this.openPanel(true);
+            clearTimeout(this.addressTimer);
+            this.addressTimer = setTimeout(() => writeHash(`#pixel=${this.pixel}`), REST);
+        }
+
+        // The pixel at the beginning is one that nobody chose.
+        forgetPixel() {
+            const { horizontal, vertical } = this.probe.about;
+            this.pixel = `${this.defaults[horizontal]},${this.defaults[vertical]}`;
+            clearTimeout(this.addressTimer);
+            if (location.hash.startsWith("#pixel=")) writeHash("");
+        }
+
+        // An open panel takes the margin, if there is one.
+        /** @param {boolean} isOpen */
+        openPanel(isOpen) {
+            this.panel.open = isOpen;
+            this.panel.classList.toggle("tool", isOpen);
         }
 
         // The probe goes where the picture is pressed.
         followPresses() {
-            const isWide = matchMedia("(min-width: 1500px)").matches;
-            if (isWide) this.root.append(this.panel);
-            Object.assign(this.panel, { hidden: false, open: isWide });
+            /** @type {HTMLButtonElement | null} */
+            this.copyLink = null;
+            if (this.panel && !this.isPreview) {
+                this.panel.hidden = false;
+                this.panel.addEventListener("toggle", () => this.openPanel(this.panel.open));
+            }
             this.stage.classList.add("has-probe");
             this.stage.addEventListener("click", event => {
-                if (event.target !== this.output) return;
-                this.drawNextFrame("drag", this.probe.index, ...this.positionOfPointer(event));
+                const isOnCross = event.target === this.probe.element;
+                if (event.target !== this.output && !isOnCross) return;
+                this.pixel = ""; // The same pixel may be chosen once more.
+                if (isOnCross) this.drawNextFrame("read");
+                else this.drawNextFrame("drag", this.probe.index, ...this.positionOfPointer(event));
                 this.probe.element.focus({ preventScroll: true });
             });
         }
@@ -280,27 +349,37 @@
     /** @type {Map<Element, Figure>} */
     const figures = new Map();
 
-    // A figure becomes interactive when it comes near the view: only then is the module loaded. If that fails,
-    // the page says why, and it is tried again while the figure is near.
+    // A figure becomes interactive when it comes near the view, and a preview when somebody is at it: only then
+    // is the module loaded. If that fails, the page says why, and it is tried again while the figure is near.
     /** @param {HTMLElement} root */
-    async function activateFigure(root) {
+    book.activateFigure = async root => {
         const controls = root.querySelector(".controls");
         const fault = controls.querySelector(".refused") ?? controls.appendChild(book.make("output", { class: "refused" }));
         try {
             const figure = new Figure(root, await book.modules.get("live"), controls, fault);
             fault.textContent = "";
             figures.set(root, figure);
-            if (figure.probe) movePixelOfAddress();
+            if (figure.probe && !figure.isPreview) movePixelOfAddress();
             if (figure.reply.address !== undefined) book.followScene(figure);
             Object.assign(controls, { hidden: false, inert: false });
             root.dataset.ready = "";
+            if (figure.isPreview) beginPreview(figure);
         } catch (error) {
             fault.textContent = `This isn't interactive here. ${/** @type {Error} */ (error).message}`;
             book.modules.drop("live");
-            if (!root.querySelector(".stage")) setTimeout(book.whenNear, 5000, [root], activateFigure);
+            if (!root.querySelector(".stage")) setTimeout(book.whenNear, 5000, [root], book.activateFigure);
         }
+    };
+    book.whenNear(document.querySelectorAll("figure:is([data-live], .woken)"), book.activateFigure);
+
+    // What woke a preview is done now: a press, or the focus.
+    /** @param {Figure} figure */
+    function beginPreview({ root, output, handles }) {
+        if (root === document.activeElement) handles[0].element.focus({ preventScroll: true });
+        root.removeAttribute("tabindex");
+        const press = book.presses.get(root);
+        if (press) output.dispatchEvent(new PointerEvent(press.type, press));
     }
-    book.whenNear(document.querySelectorAll("figure[data-live]"), activateFigure);
 
     // A link that names a pixel, such as #pixel=470,120. Returns the picture with a probe, and the pixel.
     function findPixelOfAddress() {
@@ -318,6 +397,7 @@
         if (!figure) return;
         figure.setValue(figure.probe.about.horizontal, i);
         figure.setValue(figure.probe.about.vertical, j);
+        figure.pixel = "";
         figure.drawMoving("show");
         figure.probe.element.focus({ preventScroll: true });
     }

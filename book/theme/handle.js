@@ -16,7 +16,8 @@
             this.figure = figure;
             this.about = about;
             this.index = index;
-            this.object = figure.controlOf(about.horizontal).object;
+            // In an editable scene, it has the name of what it moves.
+            this.object = figure.about.colours ? about.words : undefined;
             /** @type {[number, number] | null} */
             this.position = null;
             // From the pointer to the handle, so that the handle doesn't jump to the pointer when a
@@ -80,7 +81,7 @@
             const isInside = this.position?.every((x, k) => -4 <= x && x <= size[k] + 4) ?? false;
             const isLost = !isInside && element === document.activeElement;
             element.hidden = !isInside;
-            if (isLost) figure.controlOf(about.horizontal).inputs[0].focus();
+            if (isLost) figure.controlOf(about.horizontal)?.inputs[0].focus();
             const [left, top] = [0, 1].map(k => `${(this.position?.[k] ?? 0) / size[k] * 100}%`);
             Object.assign(element.style, { left, top });
             element.setAttribute("aria-valuenow", String(values[about.horizontal]));

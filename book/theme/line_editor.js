@@ -18,6 +18,8 @@
     let restTimer = 0;
     // What is wrong with the link that led here.
     let linkFault = "";
+    // What the last undo did, until something is typed.
+    let undone = "";
 
     /** @type {(words: string, act: () => void, label?: string) => HTMLButtonElement} */
     const button = (words, act, label = words) => {
@@ -35,6 +37,7 @@
     const close = button("✕", () => { const line = selected; deselect(); line.focus(); }, "Close");
     const panel = book.make("div", { "class": "panel" }, canvas, book.make("div", {}, status,
         book.make("div", {}, undo, redo, reset, close, copyLine, copyLink)));
+    const tool = book.make("div", { "class": "tool" }, panel);
 
     // This many letters of an element, from the one at `from` on.
     /** @param {Element} element @param {number} from @param {number} length */
@@ -63,7 +66,7 @@
             const [name, from, length] = place.split(":");
             const range = makeRange(code, Number(from), Number(length));
             const line = book.make("span", {
-                "class": "line", "data-line": name, role: "textbox", "aria-label": "A line to edit",
+                "class": "line", "data-line": name, role: "textbox", "aria-label": `The value of ${name}`,
                 contenteditable: "plaintext-only", spellcheck: false, autocapitalize: "off", autocorrect: "off",
             });
             line.append(range.extractContents());
@@ -78,14 +81,13 @@
         code.addEventListener("keydown", event => {
             const line = lineOf(event);
             if (!line) return;
-            if ((event.ctrlKey || event.metaKey) && event.key.toLowerCase() === "z") {
-                show(event.shiftKey ? 1 : -1);
+            const edits = book.readUndoKey(event);
+            if (edits) {
+                show(edits);
             } else if (event.key === "Enter") {
                 if (line === selected) draw(LARGE);
                 else select(line);
             } else if (line === selected && event.key === "Escape") {
-                record();
-                setText(line, line.dataset.book);
                 close.click();
             } else {
                 return;
@@ -123,15 +125,29 @@
         if (line !== selected) delete line.dataset.book;
     }
 
+    // Opens or closes the panel, and leaves an element where it is in the window: notes above it may go into the
+    // margin meanwhile, or come back.
+    /** @param {Element} element @param {() => void} act */
+    function keepPlace(element, act) {
+        const { top } = element.getBoundingClientRect();
+        act();
+        scrollBy({ top: element.getBoundingClientRect().top - top, behavior: "instant" });
+    }
+
     /** @param {EditedLine} line */
     function select(line) {
-        deselect();
+        keepPlace(line, () => {
+            deselect();
+            line.closest("figure").after(tool);
+        });
         selected = line;
+        undone = "";
         keepBook(line);
         line.ariaCurrent = "true";
-        line.closest("figure").append(panel);
+        document.querySelector(".line.first")?.classList.remove("first");
         line.closest("pre").scrollLeft = 0;
         say("One moment …");
+        keepInView();
         draw(LARGE);
     }
 
@@ -144,7 +160,7 @@
         selected = null;
         line.ariaCurrent = null;
         setText(line, readText(line));
-        panel.remove();
+        tool.remove();
         document.documentElement.style.scrollPaddingBottom = "";
         const code = line.closest("code");
         if (!code.matches(".hljs")) book.colour(code);
@@ -169,6 +185,8 @@
         const differ = Object.keys({ ...before, ...after }).filter(name => before[name] !== after[name]).map(find);
         for (const line of differ) setText(line, after[line.dataset.line] ?? line.dataset.book);
         select(differ[0]);
+        const file = differ[0].closest("figure").querySelector(".path b").textContent;
+        undone = `${edits < 0 ? "Undone" : "Redone"} in ${file}. `;
         differ[0].focus({ preventScroll: true });
         getSelection().selectAllChildren(differ[0]);
         getSelection().collapseToEnd();
@@ -181,7 +199,7 @@
     }
 
     function drawSoon() {
-        linkFault = "";
+        linkFault = undone = "";
         clearLine();
         draw(SMALL);
         restTimer = setTimeout(draw, REST, LARGE);
@@ -223,11 +241,11 @@
         const wrong = reply.line ? find(reply.line) : null;
         mark(wrong, reply.from, reply.to);
         if (wrong) {
-            say(wrong === line ? reply.fault : `In another line of yours: ${reply.fault}`);
+            say(undone + (wrong === line ? reply.fault : `In another line of yours: ${reply.fault}`));
         } else if (isBook(line)) {
-            say(linkFault || `This is the book’s line. Change it: there are numbers, operators, methods such as .sin(), if, let, and these names:\n${reply.names.join(", ")}`);
+            say(undone + (linkFault || `This is the book’s line. Change it: there are numbers, operators, methods such as .sin(), if, let, and these names:\n${reply.names.join(", ")}`));
         } else {
-            say(reply.known || "Drawn with what you wrote. The address of the page holds it now.");
+            say(undone + (reply.known || "Drawn with what you wrote. The address of the page holds it now."));
         }
         keepInView();
     }
@@ -245,12 +263,14 @@
         status.append(" ", names);
     }
 
-    // Keeps the line in view beside the panel.
-    /** @param {Event} [event] */
-    function keepInView(event) {
+    // The line and the panel stay in view, and the panel doesn't cover the line if it's below.
+    function keepInView() {
         if (!selected) return;
-        document.documentElement.style.scrollPaddingBottom = `${panel.offsetHeight + 16}px`;
-        if (event || selected === document.activeElement) selected.scrollIntoView({ block: "nearest" });
+        const isBeside = panel.getBoundingClientRect().left >= selected.closest("pre").getBoundingClientRect().right;
+        if (isBeside) panel.scrollIntoView({ block: "nearest" });
+        const height = isBeside ? 0 : panel.offsetHeight + (parseFloat(panel.style.bottom) || 0);
+        document.documentElement.style.scrollPaddingBottom = `${height + 16}px`;
+        if (selected === document.activeElement) selected.scrollIntoView({ block: "nearest" });
     }
 
     // Marks a part of a line as wrong. Without a line, removes the mark.
@@ -261,8 +281,9 @@
         if (line) window.CSS.highlights?.set("wrong", new Highlight(makeRange(line, from, Math.max(1, to - from))));
     }
 
-    // Takes the edits of the address over, and selects the first line of them.
-    function openAddress() {
+    // Opens the edits that are in the address, and selects the first. Before they are written, their
+    // listings get their colours, since what is edited gets none.
+    async function openAddress() {
         const words = new URLSearchParams(location.hash.slice(1)).getAll("line");
         const places = document.querySelectorAll("[data-line]").length;
         const isTooLong = words.length > places;
@@ -270,26 +291,38 @@
         if (!edits.length) return;
         linkFault = edits.some(([, , text]) => hasControl(text)) ? "The link has a control character in it, so nothing of it was taken."
             : isTooLong ? `The link has ${words.length} edits, and this page ${places} places, so nothing of it was taken.` : "";
+        const isLoaded = await book.load("highlight.js");
+        const codes = edits.map(([, name]) => find(name).closest("code"));
+        for (const code of isLoaded ? codes : []) {
+            if (!code.matches(".hljs") && !code.querySelector("[data-book]")) book.colourCode(code);
+        }
         if (!linkFault) for (const [, name, text] of edits) setText(find(name), text.replace(/\u00a0/g, " "));
         const line = find(edits[0][1]);
         for (let box = line.closest("details"); box; box = box.parentElement.closest("details")) box.open = true;
         /** @type {HTMLElement} */ (line.closest("main > *")).style.contentVisibility = "visible";
         select(line);
-        requestAnimationFrame(() => line.scrollIntoView({ block: "center" }));
+        requestAnimationFrame(() => {
+            line.scrollIntoView({ block: "center" });
+            keepInView();
+        });
     }
 
     // A click elsewhere deselects a line that is as the book has it. This runs before Undo selects a line.
     addEventListener("click", event => {
-        if (selected && isBook(selected) && !event.composedPath().includes(selected.closest("figure"))) deselect();
+        if (selected && isBook(selected) && ![tool, selected.closest("figure")].some(part => event.composedPath().includes(part))) {
+            keepPlace(/** @type {Element} */ (event.target), deselect);
+        }
     }, { capture: true });
-    panel.addEventListener("toggle", keepInView, true);
     addEventListener("hashchange", openAddress);
     // A keyboard on the screen covers the end of the page: the panel stays above it.
     window.visualViewport?.addEventListener("resize", () => {
         const { height, offsetTop } = visualViewport;
         panel.style.bottom = `${Math.max(0, innerHeight - height - offsetTop)}px`;
+        keepInView();
     });
 
     document.querySelectorAll("[data-places]").forEach(makeEditable);
+    // It says "edit" until a line is taken.
+    document.querySelector("[data-line]").classList.add("first");
     openAddress();
 }

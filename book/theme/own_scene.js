@@ -8,6 +8,8 @@
     /** @typedef {(words: string, act: () => void) => HTMLButtonElement} AddTool */
 
     book.followScene = figure => {
+        dragObjects(figure);
+        if (figure.isPreview) return followLink(figure);
         const tools = book.make("div", { class: "tools" });
         figure.controls.append(tools);
         /** @type {AddTool} */
@@ -21,8 +23,17 @@
         addSphereButton(figure, addTool);
         addColourField(figure, tools);
         addCopies(figure, addTool, writeAddress);
-        dragObjects(figure);
     };
+
+    // The link below a preview leads to its scene.
+    /** @param {InteractiveFigure} figure */
+    function followLink(figure) {
+        const link = figure.controls.querySelector("a");
+        figure.afterShow = () => {
+            const { address } = figure.reply;
+            link.hash = address ? `scene=${address}` : "";
+        };
+    }
 
     // What was done can be undone. Returns a function that keeps the values of a scene at rest.
     /** @param {InteractiveFigure} figure @param {AddTool} addTool */
@@ -44,9 +55,10 @@
         addEventListener("keydown", event => {
             const target = /** @type {HTMLInputElement} */ (event.target);
             const isTyping = target.type === "text" || target.isContentEditable;
-            if (!(event.ctrlKey || event.metaKey) || event.key.toLowerCase() !== "z" || isTyping) return;
+            const steps = book.readUndoKey(event);
+            if (!steps || isTyping) return;
             event.preventDefault();
-            showState(event.shiftKey ? 1 : -1);
+            showState(steps);
         });
         figure.reset.addEventListener("click", event => {
             if (!confirm("Begin again with the scene of step 5? Undo brings yours back.")) event.stopImmediatePropagation();
@@ -153,7 +165,7 @@
             if (event.touches.length === 1 && findHandle(event.touches[0])) event.preventDefault();
         }, { passive: false });
         figure.stage.addEventListener("wheel", event => {
-            const chosen = figure.handles.find(handle => handle.object === figure.objectSelect.value);
+            const chosen = figure.handles.find(handle => handle.element.matches(".chosen"));
             if (!chosen || !(event.ctrlKey || event.altKey)) return;
             event.preventDefault();
             chosen.changeDepth(event.deltaY * (event.ctrlKey ? 1.5 : 0.3));

@@ -10,13 +10,13 @@ const NORMAL = '(p - sphere.centre) / sphere.radius';
 async function prepare(page, home, hash = '') {
   await open(page, `${home}${STEP}.html${hash}`);
   const line = page.locator('[data-line=normal]');
-  await line.scrollIntoViewIfNeeded();
-  const listing = page.locator('figure', { has: line });
+  await line.evaluate(one => one.scrollIntoView({ block: 'center' })); // Colours may make a new element of it meanwhile.
+  const listing = page.locator('.with-margin', { has: line });
   await listing.locator('code.hljs').or(listing.locator('canvas')).first().waitFor();
   return { line, listing, status: listing.getByRole('status') };
 }
 
-test('an edit is drawn, a mistake is marked, Escape brings the line back, and undo all of it', async ({ page, home, source }) => {
+test('an edit is drawn, a mistake is marked, Escape closes the panel, and undo brings all of it back', async ({ page, home, source }) => {
   const { line, listing, status } = await prepare(page, home);
   await line.focus();
   await page.keyboard.press('Enter');
@@ -42,16 +42,20 @@ test('an edit is drawn, a mistake is marked, Escape brings the line back, and un
   expect(await page.evaluate(() => CSS.highlights.has('wrong'))).toBe(false);
   await page.keyboard.type('x');
   await page.keyboard.press('Escape');
-  await expect(line).toHaveText(NORMAL);
+  await expect(line).toHaveText(`x${NORMAL}`);
   await expect(line).toBeFocused();
   await expect(listing.locator('canvas')).toHaveCount(0);
-  expect(page.url()).not.toContain('#line');
-  for (const text of [`x${NORMAL}`, NORMAL, 'p - sphere.centre * 2']) {
+  expect(page.url()).toContain('#line=normal%3Ax');
+  for (const text of [NORMAL, 'p - sphere.centre * 2']) {
     await page.keyboard.press('ControlOrMeta+Z');
     await expect(line).toHaveText(text);
   }
-  await listing.getByRole('button', { name: 'Redo' }).click();
+  await expect(status).toHaveText(/^Undone in surface_point.rs. Write 2.0/);
+  await page.keyboard.press('Control+Y');
   await expect(line).toHaveText(NORMAL);
+  await expect(status).toHaveText(/^Redone in surface_point.rs. This is the book’s line/);
+  await listing.getByRole('button', { name: 'Redo' }).click();
+  await expect(line).toHaveText(`x${NORMAL}`);
   await listing.getByRole('button', { name: 'Close' }).click();
   await expect(listing.locator('canvas')).toHaveCount(0);
   await expect(page.locator('html')).toHaveCSS('scroll-padding-bottom', 'auto');
@@ -66,13 +70,16 @@ test('lines of an address, and lines that are let go, stay in the picture, the a
   const status = page.getByRole('status').filter({ visible: true }).last();
   await expect(status).toHaveText('In another line of yours: The bracket that closes this one is missing.');
   await expect(line).toBeInViewport();
+  // What is around the lines has its colours.
+  const code = page.locator('code', { has: line });
+  expect(await code.locator('span[class^=hljs]').count()).toBeGreaterThan(10);
   await other.click();
   await page.keyboard.press('ControlOrMeta+A');
   await page.keyboard.type('1.0');
   await expect(page).toHaveURL(/#line=attenuation%3A1\.0&line=normal%3Ap\+\*\+0\.3$/);
   await expect(line).toHaveText('p * 0.3');
   await expect(status).toHaveText(/Drawn/);
-  const listing = page.locator('figure', { has: other });
+  const listing = page.locator('.with-margin', { has: other });
   for (const name of [/^Copy step04/, 'Copy line', 'Copy link']) await listing.getByRole('button', { name }).click();
   await expect.poll(() => copied.length).toBe(3);
   expect(copied[0]).toContain('self.a + self.b * d + self.c * d * d');
@@ -83,6 +90,61 @@ test('lines of an address, and lines that are let go, stay in the picture, the a
   await line.click(); // Undo then leads to a different listing.
   await page.getByRole('button', { name: 'Undo' }).click();
   await expect(listing.locator('canvas')).toBeInViewport();
+});
+
+for (const [width, height] of [[1440, 900], [1280, 720], [1000, 720], [390, 844]]) {
+  test(`the panel has one height, and leaves the line in its place, at ${width}×${height}`, async ({ page, home }) => {
+    await page.setViewportSize({ width, height });
+    const { line, listing, status } = await prepare(page, home);
+    await line.evaluate(one => one.scrollIntoView({ block: 'center' }));
+    const place = async () => (await line.boundingBox()).y;
+    const before = await place();
+    await line.click();
+    await expect(status).toContainText('sphere.centre');
+    const panel = listing.locator('.panel');
+    const rows = async () => (await panel.boundingBox()).height;
+    const first = await rows();
+    for (const text of ['p.nosuch()', '1', 'p * 0.5']) {
+      await page.keyboard.press('ControlOrMeta+A');
+      await page.keyboard.type(text);
+      await expect(status).toHaveText(/isn't known here|Write 1.0|Drawn/);
+      expect(await rows(), text).toBe(first);
+      expect(await place() - before, text).toBeCloseTo(0, 0);
+    }
+    const [code, box] = [await listing.locator('pre').boundingBox(), await panel.boundingBox()];
+    if (width < 1100) return expect(await place() + 20).toBeLessThan(box.y);
+    expect(box.x).toBeGreaterThan(code.x + code.width);
+    expect(box.y + box.height).toBeLessThanOrEqual(height);
+    // No note is covered by it.
+    for (const note of await page.locator('main .note').all()) {
+      const { x, y, width, height } = await note.boundingBox() ?? box;
+      const isBeside = x + width <= box.x || y + height <= box.y || box.y + box.height <= y;
+      expect.soft(isBeside, await note.textContent()).toBe(true);
+    }
+  });
+}
+
+test('a line stays in its place when the panel comes from a listing above', async ({ page, home }) => {
+  const { line } = await prepare(page, home);
+  const other = page.locator('[data-line=attenuation]');
+  await line.click();
+  await other.evaluate(one => one.scrollIntoView({ block: 'center' }));
+  await page.waitForTimeout(500); // What comes near is laid out.
+  const place = async () => (await other.boundingBox()).y;
+  const before = await place();
+  await other.click();
+  await expect(page.locator('.with-margin', { has: other }).locator('.panel')).toBeVisible();
+  await page.waitForTimeout(500);
+  expect(Math.abs(await place() - before)).toBeLessThan(2);
+});
+
+test('the first line says that it can be edited, until a line is taken, and each has its name', async ({ page, home }) => {
+  const { line } = await prepare(page, home);
+  const mark = () => page.locator('[data-line]').first().evaluate(one => getComputedStyle(one, '::after').content);
+  expect(await mark()).toContain('edit');
+  await expect(line).toHaveAttribute('aria-label', 'The value of normal');
+  await line.click();
+  expect(await mark()).toBe('none');
 });
 
 for (const [width, height] of [[390, 508], [640, 400]]) {
@@ -101,6 +163,20 @@ for (const [width, height] of [[390, 508], [640, 400]]) {
     for (const part of [status, listing.locator('canvas')]) await expect(part).toBeInViewport({ ratio: 0.9 });
   });
 }
+
+test('when a keyboard takes half of a phone, the line stays above the panel', async ({ page, home }) => {
+  await page.setViewportSize({ width: 390, height: 844 });
+  const { line, listing, status } = await prepare(page, home);
+  await line.evaluate(one => one.scrollIntoView({ block: 'center' }));
+  await line.click();
+  await expect(status).toContainText('sphere.centre');
+  await page.setViewportSize({ width: 390, height: 508 });
+  await expect(async () => {
+    const [{ y, height }, panel] = [await line.boundingBox(), await listing.locator('.panel').boundingBox()];
+    expect(y + height).toBeLessThanOrEqual(panel.y);
+    expect(panel.y + panel.height).toBeCloseTo(508, 0);
+  }).toPass({ timeout: 5000 });
+});
 
 test('a link with a control character, or with more edits than places, changes nothing', async ({ page, home }) => {
   const hashes = {

@@ -38,3 +38,82 @@ test('a ball is dragged, coloured, undone and kept, and a sphere comes in', asyn
   await expect(page).not.toHaveURL(/tenth-sphere/);
   await expect(page.locator('.refused')).toBeHidden();
 });
+
+test('Ctrl+Z undoes, Ctrl+Y and Ctrl+Shift+Z redo', async ({ page, home }) => {
+  await open(page, `${home}own_scene.html`);
+  await page.locator('figure[data-live=own_scene][data-ready]').waitFor({ timeout: 20_000 });
+  await page.locator('.handle').first().press('ArrowUp');
+  await expect(page).toHaveURL(/#scene=red-sphere-upwards/);
+  for (const redo of ['Control+y', 'ControlOrMeta+Shift+z']) {
+    await page.keyboard.press('ControlOrMeta+z');
+    await expect(page).not.toHaveURL(/#scene/);
+    await page.keyboard.press(redo);
+    await expect(page).toHaveURL(/#scene=red-sphere-upwards/);
+  }
+});
+
+for (const [width, height] of [[1440, 900], [1280, 720], [1100, 720]]) {
+  test(`picture and controls are in view beside each other at ${width}×${height}`, async ({ page, home }) => {
+    await page.setViewportSize({ width, height });
+    await open(page, `${home}own_scene.html`);
+    await page.locator('figure[data-live=own_scene][data-ready]').waitFor({ timeout: 20_000 });
+    const [stage, controls] = [await page.locator('.stage').boundingBox(), await page.locator('.controls').boundingBox()];
+    expect(controls.x).toBeGreaterThan(stage.x + stage.width);
+    expect(Math.abs(controls.y - stage.y)).toBeLessThan(30);
+    const last = await page.getByRole('button', { name: 'Download PNG' }).boundingBox();
+    expect(last.y + last.height).toBeLessThanOrEqual(height);
+  });
+}
+
+test('on a phone with its keyboard open, the picture stays in view above the controls', async ({ page, home }) => {
+  await page.setViewportSize({ width: 390, height: 508 });
+  await open(page, `${home}own_scene.html`);
+  await page.locator('figure[data-live=own_scene][data-ready]').waitFor({ timeout: 20_000 });
+  await page.getByRole('button', { name: 'Download PNG' }).evaluate(one => one.scrollIntoView({ block: 'end' }));
+  await expect(page.locator('.stage')).toBeInViewport({ ratio: 1 });
+});
+
+test('the first page’s picture loads nothing until somebody is at it, then a ball is dragged, and its link has the scene', async ({ page, home }) => {
+  const files = [];
+  page.on('request', request => files.push(request.url().split('/').at(-1)));
+  await open(page, `${home}index.html`);
+  const figure = page.locator('figure[data-preview]');
+  const { x, y, width } = await figure.locator('img').boundingBox();
+  const move = (i, j) => page.mouse.move(x + i / 640 * width, y + j / 640 * width, { steps: 3 });
+  const said = () => figure.evaluate(one => getComputedStyle(one, '::before').content);
+  expect(await said()).toBe('"Drag a ball"');
+  expect(files.filter(file => /figure|wasm|module|own_scene/.test(file))).toEqual([]);
+  await move(250, 240);
+  await figure.and(page.locator('[data-ready]')).waitFor({ timeout: 20_000 });
+  await page.mouse.down();
+  await move(250, 190);
+  await page.mouse.up();
+  await expect(figure.locator('canvas')).toBeVisible();
+  expect(await figure.evaluate(one => getComputedStyle(one, '::before').display)).toBe('none');
+  const link = figure.getByRole('link', { name: 'A scene of your own' });
+  await expect(link).toHaveAttribute('href', /own_scene.html#scene=red-sphere-upwards:0.\d+$/);
+  expect(page.url()).not.toContain('#');
+  await link.click();
+  await expect(page).toHaveURL(/own_scene.html#scene=red-sphere-upwards:0.\d+$/);
+  await expect(page.locator('figure[data-live=own_scene] canvas')).toBeVisible({ timeout: 20_000 });
+});
+
+test.describe('with a finger', () => {
+  test.use({ viewport: { width: 390, height: 844 }, hasTouch: true });
+
+  test('the first touch of the first page’s picture drags a ball', async ({ page, home, browserName }) => {
+    test.skip(browserName !== 'chromium', 'only Chromium takes touches from a test');
+    await open(page, `${home}index.html`);
+    const figure = page.locator('figure[data-preview]');
+    const { x, y, width } = await figure.locator('img').boundingBox();
+    const touch = await page.context().newCDPSession(page);
+    const send = (type, ...touchPoints) => touch.send('Input.dispatchTouchEvent', { type, touchPoints });
+    const at = i => ({ x: x + i / 640 * width, y: y + 240 / 640 * width });
+    await send('touchStart', at(250));
+    await send('touchMove', at(280)); // Sideways: a finger that goes up or down scrolls the page.
+    await figure.and(page.locator('[data-ready]')).waitFor({ timeout: 20_000 });
+    for (const i of [300, 320, 340]) await send('touchMove', at(i));
+    await send('touchEnd');
+    await expect(figure.getByRole('link', { name: 'A scene of your own' })).toHaveAttribute('href', /#scene=red-sphere-sideways:/);
+  });
+});

@@ -1,4 +1,4 @@
-// A link that names a pixel selects it.
+// A pixel that is chosen has its line, its panel and its address.
 import { expect, open, test } from './fixtures.js';
 
 test('a link that names a pixel selects it, and Back returns to the link', async ({ page, home }) => {
@@ -13,13 +13,91 @@ test('a link that names a pixel selects it, and Back returns to the link', async
   await link.click();
   await expect(figure).toBeInViewport();
   await expect(page.locator('[data-panel] [data-number="step03_nearest:i"]')).toHaveText('195');
-  await expect(figure.locator('.hint')).toHaveText(/^red, t = [\d.]+ .*\(\d+, \d+, \d+\)$/);
+  await expect(figure.locator('.hint')).toHaveText(/^red, t = [\d.]+ .*\(\d+, \d+, \d+\) Copy link$/);
   await expect(figure.locator('.handle-probe')).toHaveAttribute('aria-valuetext', /^column 195, row 237: red, t = /);
   await expect(page.locator('[data-panel] tr.hit')).toHaveCount(1);
   await figure.locator('.handle-probe').press('ArrowRight');
+  await expect(page).toHaveURL(/#pixel=196,237$/);
   await link.click();
   await expect(page.locator('[data-panel] [data-number="step03_nearest:i"]')).toHaveText('195');
-  await page.evaluate(() => history.back());
+  await page.evaluate(() => history.go(-2));
   // The text below the picture may be a line longer than before.
   await expect.poll(async () => Math.abs((await link.boundingBox()).y - place)).toBeLessThan(24);
+});
+
+test('the first click on a picture opens the panel beside it, and the address follows the pixel', async ({ page, home }) => {
+  await open(page, `${home}step05_phong.html`);
+  const [figure, panel] = [page.locator('figure[data-live="step05_phong"]'), page.locator('[data-panel]')];
+  await figure.scrollIntoViewIfNeeded();
+  await figure.and(page.locator('[data-ready]')).waitFor({ timeout: 20_000 });
+  await expect(panel).toBeHidden();
+  const { x, y, width } = await figure.locator('.stage').boundingBox();
+  await page.mouse.click(x + width / 2, y + width / 4);
+  await expect(page).toHaveURL(/#pixel=3\d\d,1\d\d$/);
+  const box = await panel.boundingBox();
+  expect(box.x).toBeGreaterThan(x + width);
+  expect(Math.abs(box.y - y)).toBeLessThan(30);
+  // The picture hasn't moved.
+  expect((await figure.locator('.stage').boundingBox()).y).toBe(y);
+  await panel.locator('summary').click();
+  await expect(panel).toBeHidden();
+  await figure.locator('.handle-probe').click(); // The same pixel.
+  await expect(panel).toBeVisible();
+  await figure.locator('.reset').click();
+  await expect(page).not.toHaveURL(/#pixel/);
+  await expect(figure.locator('.hint b')).toHaveText('salmon, t = 9.7415');
+});
+
+for (const [name, seen] of Object.entries({
+  step01_rays: 'V = (', step02_sphere: 'sphere, t = ', step03_nearest: 'salmon, t = ', step04_diffuse: 'salmon, t = ', step05_phong: 'salmon, t = ', way_back: 'salmon, t = ',
+})) {
+  test(`${name}.html: the first picture says what the ray of a pixel meets`, async ({ page, home }) => {
+    await open(page, `${home}${name}.html`);
+    const preview = page.locator('figure[data-preview]');
+    const { x, y, width } = await preview.locator('img').boundingBox();
+    await page.mouse.click(x + 0.58 * width, y + 0.3 * width); // Before it's ready.
+    await expect(preview.locator('.hint b')).toContainText(seen, { timeout: 20_000 });
+    await expect(preview.locator('.hint')).toBeInViewport();
+    const words = await preview.locator('.handle-probe').getAttribute('aria-valuetext');
+    const [, i, j] = words.match(/^column (\d+), row (\d+)/).map(Number);
+    const bytes = (await preview.locator('.hint').textContent()).match(/\((\d+), (\d+), (\d+)\)(?!.*\()/).slice(1).map(Number);
+    const shown = await preview.locator('img').evaluate((one, [i, j]) => {
+      const context = Object.assign(document.createElement('canvas'), { width: 640, height: 360 }).getContext('2d');
+      context.drawImage(one, 0, 0);
+      return [...context.getImageData(i, j, 1, 1).data].slice(0, 3);
+    }, [i, j]);
+    expect(bytes, 'the colour of that pixel').toEqual(shown);
+    const sum = preview.getByRole('link', { name: 'The whole sum' });
+    if (/step01|way_back/.test(name)) return expect(sum).toHaveCount(0);
+    await sum.click();
+    await expect(page.locator('[data-panel]')).toBeVisible({ timeout: 20_000 });
+    await expect(page.locator(`[data-panel] [data-number="${name}:i"]`)).toHaveText(String(i));
+    await expect(page).toHaveURL(new RegExp(`#pixel=${i},${j}$`));
+  });
+}
+
+test('the keys reach a pixel of the first picture', async ({ page, home }) => {
+  await open(page, `${home}step05_phong.html`);
+  const preview = page.locator('figure[data-preview]');
+  await preview.focus();
+  await expect(preview.locator('.handle-probe')).toBeFocused({ timeout: 20_000 });
+  await page.keyboard.press('ArrowLeft');
+  await expect(preview.locator('.hint b')).toHaveText(/^salmon, t = /);
+  await expect(page).toHaveURL(/#pixel=469,120$/);
+});
+
+test('on a phone, the picture stays in view while the panel is read', async ({ page, home }) => {
+  await page.setViewportSize({ width: 390, height: 844 });
+  await open(page, `${home}step05_phong.html`);
+  const [figure, panel] = [page.locator('figure[data-live="step05_phong"]'), page.locator('[data-panel]')];
+  await figure.scrollIntoViewIfNeeded();
+  await figure.and(page.locator('[data-ready]')).waitFor({ timeout: 20_000 });
+  const stage = figure.locator('.stage');
+  await stage.evaluate(one => one.scrollIntoView({ block: 'center' }));
+  const { x, y } = await stage.boundingBox();
+  await page.mouse.click(x + 100, y + 100);
+  await expect(panel).toHaveAttribute('open');
+  expect((await stage.boundingBox()).y).toBeCloseTo(y, 0);
+  await panel.evaluate(one => one.scrollIntoView({ block: 'end' }));
+  await expect(stage).toBeInViewport({ ratio: 1 });
 });

@@ -30,6 +30,8 @@ interface Book {
    * Parses a number as people type it: 58.72, 58,72, 1/2, −3 or 60°. Returns NaN if it isn't one.
    */
   readNumber(text: string): number;
+  /** How many states a key leads on, or back if negative: Ctrl+Z, Ctrl+Shift+Z or Ctrl+Y. 0 for any other key. */
+  readUndoKey(event: KeyboardEvent): number;
   /** Calls `near` once for each element, when that element comes near the view. */
   whenNear(elements: Iterable<HTMLElement> & { forEach(act: (element: HTMLElement) => void): void }, near: (element: HTMLElement) => void): void;
   /**
@@ -42,6 +44,8 @@ interface Book {
   colourCode(code: Element): void;
   /** Colours a listing once the script for that has loaded, unless the listing is being edited. */
   colour(code: Element): void;
+  /** The last press on each preview that wasn't ready then. */
+  presses: Map<Element, PointerEvent>;
   /** A history of states, for undo and redo. */
   History: new <State>(state: State) => UndoHistory<State>;
 
@@ -73,6 +77,8 @@ interface Book {
   Handle: new (figure: InteractiveFigure, about: HandleAbout, index: number) => Handle;
   /** Adds the tools of an editable scene to its figure. */
   followScene(figure: InteractiveFigure): void;
+  /** Makes a figure interactive. */
+  activateFigure(root: HTMLElement): Promise<void>;
   /** The error for a request that a module refuses. */
   Refusal: new (message: string) => Error;
 
@@ -205,6 +211,8 @@ interface InteractiveFigure {
   handles: Handle[];
   probe: Handle | undefined;
   root: HTMLElement;
+  /** Whether it has no controls. */
+  isPreview: boolean;
   stage: HTMLElement;
   controls: HTMLElement;
   fault: HTMLElement;

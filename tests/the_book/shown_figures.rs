@@ -11,7 +11,7 @@ fn each_figure_is_on_a_page() {
     let elements = pages.flat_map(|page| &page.elements);
     let names = elements.flat_map(|element| {
         let figure = element.attr("id").and_then(|id| id.strip_prefix("figure-"));
-        [figure, element.attr("data-live")]
+        [figure, element.attr("data-live"), element.attr("data-preview")]
     });
     let names: HashSet<_> = names.flatten().collect();
     let missing = FIGURES.iter().map(|figure| figure.name).filter(|name| !names.contains(name));

@@ -8,16 +8,16 @@ use crate::directive::{Directive, DirectiveKind, replace_directives};
 use crate::fault::{ChapterError, ChapterResult, Fault};
 use crate::folded_box::BoxKind;
 use crate::markdown;
-use crate::picture::{self, Loading};
+use crate::picture::{self, Interaction, Loading};
 use crate::problem::{Heading, OpenProblem, Position, Problem};
 use crate::{
     Sources, check_form, console, figure, folded_box, formula, listing, mistake_gallery, note,
     numbers, pixel_panel,
 };
-use figures::Figure;
 use mdbook_markdown::pulldown_cmark::{
     CodeBlockKind, Event, Parser, Tag, TagEnd, TextMergeWithOffset,
 };
+use std::mem;
 use std::ops::Range;
 
 /// The maximum depth to which lists, quotations, emphasis and so on may be nested. At a depth of
@@ -70,6 +70,7 @@ pub fn expand_chapter(
         problems: vec![],
         sheet_position: None,
         missing_panel: None,
+        panel_ends_frame: false,
     };
     chapter.expand_blocks();
     chapter.copy_until(text.len());
@@ -106,6 +107,8 @@ struct Chapter<'a> {
     sheet_position: Option<usize>,
     /// The position and name of an interactive picture with a probe whose panel hasn't begun yet.
     missing_panel: Option<(usize, &'static str)>,
+    /// Whether the open box is a panel that stands in one frame with its picture.
+    panel_ends_frame: bool,
 }
 
 type Events<'a> = [(Event<'a>, Range<usize>)];
@@ -204,12 +207,26 @@ impl<'a> Chapter<'a> {
         }
     }
 
+    /// Whether the block at this position has notes, and so a wrapper around it.
+    fn has_notes(&self, start: usize) -> bool {
+        self.noted_blocks.iter().any(|block| block.start == start)
+    }
+
     /// Opens the wrapper around a block and its notes, if a block with notes begins at this
     /// position.
     fn open_noted_block(&mut self, start: usize) {
-        if self.noted_blocks.iter().any(|block| block.start == start) {
+        if self.has_notes(start) {
             self.copy_until(start);
             self.expanded += note::OPENING_HTML;
+        }
+    }
+
+    /// Puts a wrapper around a block without notes beside which a page opens a tool.
+    fn wrap_block_with_tool(&self, markdown: String, start: usize) -> String {
+        if self.has_notes(start) {
+            markdown
+        } else {
+            [note::OPENING_HTML, &markdown, note::CLOSING_HTML].concat()
         }
     }
 
@@ -237,7 +254,9 @@ impl<'a> Chapter<'a> {
         let source = &self.text[range.clone()];
         let values = &self.sources.values;
         Ok(Expansion::Replace(match event {
-            Event::Start(Tag::CodeBlock(kind)) => self.expand_code_block(kind, source)?,
+            Event::Start(Tag::CodeBlock(kind)) => {
+                self.expand_code_block(kind, source, range.start)?
+            }
             Event::Start(Tag::Paragraph) => {
                 return Ok(match self.expand_directive_or_pictures(events, range)? {
                     Expansion::Replace(html) => Expansion::Replace(format!("\n{html}\n")),
@@ -300,7 +319,12 @@ impl<'a> Chapter<'a> {
 
     /// Expands a code block: an include becomes a listing, and commands get a caption. Rust typed
     /// directly into a chapter is a fault, since nothing would compile it.
-    fn expand_code_block(&mut self, kind: &CodeBlockKind, source: &str) -> ChapterResult<String> {
+    fn expand_code_block(
+        &mut self,
+        kind: &CodeBlockKind,
+        source: &str,
+        start: usize,
+    ) -> ChapterResult<String> {
         let CodeBlockKind::Fenced(info) = kind else {
             return numbers::fill_in_code(source, &self.sources.values);
         };
@@ -310,7 +334,13 @@ impl<'a> Chapter<'a> {
         let include =
             Directive::parse(&content).filter(|directive| directive.kind == DirectiveKind::Include);
         let html = if let Some(Directive { words, .. }) = include {
-            listing::markdown(language, word, words, self.sources, &mut self.listings)?
+            let listing =
+                listing::markdown(language, word, words, self.sources, &mut self.listings)?;
+            if listing.contains(listing::PLACES_ATTRIBUTE) {
+                self.wrap_block_with_tool(listing, start)
+            } else {
+                listing
+            }
         } else if language == "console" {
             console::figure_markdown(word, &content)?
         } else if ["", "rust", "toml"].contains(&language) {
@@ -369,6 +399,7 @@ impl<'a> Chapter<'a> {
             | DirectiveKind::OurFolder
             | DirectiveKind::Include
             | DirectiveKind::Live
+            | DirectiveKind::Preview
             | DirectiveKind::Rows => return Ok(Expansion::Keep),
         }))
     }
@@ -415,7 +446,10 @@ impl<'a> Chapter<'a> {
     /// picture above.
     fn pixel_panel_html(&mut self, name: &str) -> ChapterResult<String> {
         match self.missing_panel.take_if(|(_, picture)| *picture == name) {
-            Some((_, picture)) => Ok(pixel_panel::opening_html(picture)),
+            Some((position, picture)) => {
+                self.panel_ends_frame = !self.has_notes(position);
+                Ok(pixel_panel::opening_html(picture))
+            }
             None => Err(ChapterError::PanelWithoutPicture(name.to_owned())),
         }
     }
@@ -423,6 +457,9 @@ impl<'a> Chapter<'a> {
     /// Closes the open box and, if it is the answer to a problem, that problem.
     fn end_box(&mut self) -> ChapterResult<String> {
         match (self.open_box.take(), self.open_problem.take()) {
+            (Some(_), None) if mem::take(&mut self.panel_ends_frame) => {
+                Ok(format!("</details>\n{}", note::CLOSING_HTML))
+            }
             (Some(_), None) => Ok("</details>\n".to_owned()),
             (Some(_), Some(problem)) => {
                 let start = problem.start;
@@ -439,7 +476,7 @@ impl<'a> Chapter<'a> {
     }
 
     /// Expands a paragraph that consists only of pictures. A directive such as `{{#live
-    /// own_scene}}` after them makes them interactive.
+    /// own_scene}}` or `{{#preview own_scene}}` after them makes them interactive.
     fn expand_pictures_alone(
         &mut self,
         events: &Events,
@@ -455,17 +492,26 @@ impl<'a> Chapter<'a> {
                 pictures.push([markdown, &**dest_url, &**title]);
             }
         }
-        let live =
-            Directive::parse(&remaining).filter(|directive| directive.kind == DirectiveKind::Live);
-        let is_whole = live.is_some() || remaining.trim().is_empty();
+        let directive = Directive::parse(&remaining).filter(|directive| {
+            matches!(directive.kind, DirectiveKind::Live | DirectiveKind::Preview)
+        });
+        let is_whole = directive.is_some() || remaining.trim().is_empty();
         if !is_whole || pictures.is_empty() {
             return Ok(Expansion::Keep);
         }
-        let live = live.map(|directive| find_live_figure(directive.words)).transpose()?;
-        if let Some(picture) = live.filter(|live| live.probe().is_some()) {
-            self.missing_panel = Some((range.start, picture.name));
-        }
-        self.figures_html(&pictures, live).map(Expansion::Replace)
+        let interaction = directive.map(find_interaction).transpose()?;
+        let html = self.figures_html(&pictures, interaction)?;
+        Ok(Expansion::Replace(match interaction {
+            Some(Interaction::Live(picture)) if picture.probe().is_some() => {
+                self.missing_panel = Some((range.start, picture.name));
+                let opening = if self.has_notes(range.start) { "" } else { note::OPENING_HTML };
+                opening.to_owned() + &html
+            }
+            Some(Interaction::Live(picture)) if picture.editable_scene.is_some() => {
+                self.wrap_block_with_tool(html, range.start)
+            }
+            _ => html,
+        }))
     }
 
     /// The HTML of these pictures, each given as `[markdown, file, caption]`. Several pictures are
@@ -473,12 +519,12 @@ impl<'a> Chapter<'a> {
     fn figures_html(
         &mut self,
         pictures: &[[&str; 3]],
-        live: Option<&Figure>,
+        interaction: Option<Interaction>,
     ) -> ChapterResult<String> {
         let mut figures = String::new();
         for [markdown, file, caption] in pictures {
             let image = picture::markdown_html(markdown, file, self.sources, &mut self.loading)?;
-            figures += &picture::figure_html(&image, caption, live, &self.sources.values)?;
+            figures += &picture::figure_html(&image, caption, interaction, &self.sources.values)?;
         }
         if pictures.len() > 1 {
             // A browser's reader view would drop a `div` of pictures as decoration.
@@ -488,8 +534,13 @@ impl<'a> Chapter<'a> {
     }
 }
 
-fn find_live_figure(name: &str) -> ChapterResult<&'static Figure> {
-    figures::find_figure(name).ok_or_else(|| ChapterError::UnknownLive(name.to_owned()))
+/// How a picture with this directive, `live` or `preview`, reacts to a reader.
+fn find_interaction(directive: Directive) -> ChapterResult<Interaction<'static>> {
+    let Directive { kind, words } = directive;
+    let figure =
+        figures::find_figure(words).ok_or_else(|| ChapterError::UnknownLive(words.to_owned()))?;
+    let make = if kind == DirectiveKind::Live { Interaction::Live } else { Interaction::Preview };
+    Ok(make(figure))
 }
 
 /// Whether code is a name such as `Ray::at`, inside which a line may break.

@@ -5,6 +5,11 @@ use figures::{Figure, Parameter, ParameterKind, escape, italic_letter};
 const HINT: &str = "<span class=\"hint\">Click or tap the picture, or move the cross \
                     with the arrow keys, to choose a pixel.</span>";
 
+/// The link gets the reader's scene; see book/theme/own_scene.js.
+const SCENE_HINT: &str = "<span class=\"hint\">Drag a ball, and the code of step 5 draws the \
+                          picture again. When you want more, <a href=\"own_scene.html\">A scene of \
+                          your own</a> goes on from here.</span>";
+
 const RESET: &str = "<button type=\"button\" class=\"reset\" disabled>Reset</button>";
 
 /// The HTML of the controls below a figure, one for each parameter. The number fields of parameters
@@ -39,7 +44,14 @@ pub fn html(figure: &Figure) -> String {
     } else {
         format!("{above}{}{RESET}", exact_html(&exact))
     };
-    format!("<div class=\"controls\" hidden inert>{hint}{content}</div>")
+    let tool = if figure.editable_scene.is_some() { " tool" } else { "" };
+    format!("<div class=\"controls{tool}\" hidden inert>{hint}{content}</div>")
+}
+
+/// What is below a picture that is interactive once it is touched: a hint.
+pub fn preview_html(figure: &Figure) -> String {
+    let hint = if figure.editable_scene.is_some() { SCENE_HINT } else { HINT };
+    format!("<div class=\"controls\" hidden>{hint}</div>")
 }
 
 /// The folded number fields, with one row for each object.

@@ -25,6 +25,7 @@ pub enum DirectiveKind {
     OurFolder,
     Figure,
     Live,
+    Preview,
     PixelPanel,
     Rows,
     Box(BoxKind),
@@ -37,13 +38,14 @@ pub enum DirectiveKind {
 }
 
 impl DirectiveKind {
-    const ALL: [Self; 20] = [
+    const ALL: [Self; 21] = [
         Self::Include,
         Self::Value,
         Self::Number,
         Self::OurFolder,
         Self::Figure,
         Self::Live,
+        Self::Preview,
         Self::PixelPanel,
         Self::Rows,
         Self::Box(BoxKind::Predict),
@@ -69,6 +71,7 @@ impl DirectiveKind {
             Self::OurFolder => "our-folder",
             Self::Figure => "figure",
             Self::Live => "live",
+            Self::Preview => "preview",
             Self::PixelPanel => "pixel-panel",
             Self::Rows => "rows",
             Self::Box(kind) => kind.name(),

@@ -18,7 +18,8 @@
 //!   when its interactive figure changes.
 //! - A *figure* is a drawing from the crate `figures`, and a *picture* is a PNG file, either a
 //!   locked picture or one generated from the code. Followed by `live`, a picture is interactive:
-//!   its *controls* set its parameters.
+//!   its *controls* set its parameters. Followed by `preview`, it has no controls, and becomes
+//!   interactive once the reader touches it.
 //! - `pixel-panel` … `end` is the box *This pixel* below an interactive picture with a *probe*. Its
 //!   text follows the chosen pixel from its ray to its three bytes, with a `number` for each step
 //!   on the way. In a table there, `rows` with a picture and columns becomes a row for each sphere

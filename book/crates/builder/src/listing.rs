@@ -11,6 +11,9 @@ use std::ops::Range;
 use std::path::Path;
 use std::sync::LazyLock;
 
+/// The attribute of a listing in which a reader may edit something.
+pub const PLACES_ATTRIBUTE: &str = "data-places";
+
 static PLACES: LazyLock<Vec<Place>> = LazyLock::new(course::all_listed_places);
 
 /// Returns the listing for `{{#include path}}`, or for part of a file, such as
@@ -120,7 +123,8 @@ impl Listing<'_> {
             ids.push(id);
         }
         attributes.push(("data-path", escape(self.path)));
-        attributes.extend(places_list(self.path, self.code).map(|places| ("data-places", places)));
+        attributes
+            .extend(places_list(self.path, self.code).map(|places| (PLACES_ATTRIBUTE, places)));
         attributes.extend(self.scene.map(|scene| ("data-code", scene.to_owned())));
         let attributes = attributes.iter().map(|(name, value)| format!(" {name}=\"{value}\""));
         attributes.collect()

@@ -9,6 +9,16 @@ use course::mistakes;
 use figures::{Figure, escape};
 use std::mem;
 
+/// How a picture reacts to a reader.
+#[derive(Clone, Copy)]
+pub enum Interaction<'a> {
+    /// With all of the figure's handles and controls, as soon as it comes near the view.
+    Live(&'a Figure),
+    /// Once it is touched, and without controls: the picture of step 5, for instance, only says
+    /// what the ray of a pixel meets.
+    Preview(&'a Figure),
+}
+
 /// When a browser loads a picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Loading {
@@ -97,11 +107,18 @@ pub fn html(
 pub fn figure_html(
     image: &str,
     caption: &str,
-    live: Option<&Figure>,
+    interaction: Option<Interaction>,
     values: &Values,
 ) -> ChapterResult<String> {
-    let data = live.map_or(String::new(), |live| format!(" data-live=\"{}\"", live.name));
-    let controls_html = live.map_or(String::new(), controls::html);
+    let (data, controls_html) = match interaction {
+        None => Default::default(),
+        Some(Interaction::Live(figure)) => {
+            (format!(" data-live=\"{}\"", figure.name), controls::html(figure))
+        }
+        Some(Interaction::Preview(figure)) => {
+            (format!(" data-preview=\"{}\"", figure.name), controls::preview_html(figure))
+        }
+    };
     let caption = match caption {
         "" => String::new(),
         markdown => format!("<figcaption>{}</figcaption>", inline_html(markdown, values)?),

@@ -25,6 +25,7 @@ pub static FIGURES: LazyLock<Vec<Figure>> = LazyLock::new(|| {
         rim::figure(),
         flat_world::figure(),
         step01::figure(),
+        step01::pixel_figure(),
         step02::figure(),
         step03::figure(),
         step04::figure(),

@@ -1,9 +1,12 @@
 //! The picture of step 1, with a camera that the reader can set.
 
-use crate::probe::SIZE;
-use crate::{Content, Figure, Parameter, ParameterId, ParameterValues};
+use crate::probe::{I, J, SIZE, draw_picture, probe_ray, probed_picture};
+use crate::{
+    Content, Figure, Parameter, ParameterId, ParameterValues, collect_readouts, format_number,
+    format_vector,
+};
 use course::FOV_DEGREES;
-use step01_rays::{AspectRatio, Camera, direction_colour, render};
+use step01_rays::{AspectRatio, Camera, direction_colour, render, rgb8};
 
 pub const FIELD_OF_VIEW: ParameterId = ParameterId::new("field of view");
 pub const ASPECT_RATIO: ParameterId = ParameterId::new("aspect ratio");
@@ -32,6 +35,25 @@ pub fn figure() -> Figure {
             Parameter::number(COLUMNS, "columns", SIZE.x, [2.0, SIZE.x], 1.0).with_symbol("hRes"),
         ],
         ..Figure::new("step01_rays", Content::Picture { draw })
+    }
+}
+
+/// The picture of step 1 with a probe. No ray meets anything there, so its trace is short.
+pub fn pixel_figure() -> Figure {
+    Figure {
+        readouts: |values| {
+            let ray = probe_ray(values);
+            let colour = direction_colour(&ray);
+            collect_readouts([
+                ("i", format_number(values[I])),
+                ("j", format_number(values[J])),
+                ("seen", format!("V = {}", format_vector(ray.direction))),
+                ("bytes", format_vector(rgb8(colour).0.map(f64::from))),
+            ])
+        },
+        ..probed_picture("step01_pixel", [480.0, 90.0], [], |_, columns| {
+            draw_picture(columns, direction_colour)
+        })
     }
 }
 
