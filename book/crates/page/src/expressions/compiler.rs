@@ -5,17 +5,17 @@ use crate::expressions::functions::{Function, find_function, remainder_operation
 use crate::expressions::operation::{range_of, split_operation, write_tokens};
 use crate::expressions::part::{Part, literal_part};
 use crate::expressions::refusal::{Fault, Refusal, refuse};
-use crate::expressions::refused_call::{explain_mismatch, explain_refused_call};
+use crate::expressions::refused_call::explain_mismatch;
 use crate::expressions::syntax::parse_syntax;
 use crate::expressions::value::Value;
 use course::{Place, PlaceNote, ValueType};
 use std::ops::Range;
 use std::rc::Rc;
-use syn::{BinOp, Expr, ExprBinary};
+use syn::{BinOp, Expr, ExprBinary, Lit, Stmt};
 
 /// Compiles the syntax of a line, part by part.
 pub struct Compiler<'a> {
-    place: &'a Place,
+    pub place: &'a Place,
     pub text: &'a str,
     /// The names of values: variables of the place, such as `ray.start`, and those of `let`.
     pub names: Vec<(String, Part)>,
@@ -23,14 +23,14 @@ pub struct Compiler<'a> {
 
 /// Compiles what a reader wrote at a place.
 pub fn parse_expression(place: &Place, text: &str) -> Result<Expression, Refusal> {
-    let syntax = parse_syntax(text)?;
+    let statements = parse_syntax(place, text)?;
     let mut compiler = Compiler { place, text, names: vec![] };
     for (name, value_type) in &place.variables {
         let part = compiler.new_slot(*value_type, false);
         compiler.names.push((name.split_whitespace().collect(), part));
     }
-    let part = compiler.expression(&syntax)?;
-    if let Some(fault) = find_misfit(place, text, &syntax, &part) {
+    let part = compiler.statements(&statements, 0..text.len())?;
+    if let Some(fault) = find_misfit(place, text, &statements, &part) {
         return refuse(part.range, fault);
     }
     Ok(Expression {
@@ -43,8 +43,9 @@ pub fn parse_expression(place: &Place, text: &str) -> Result<Expression, Refusal
 }
 
 /// Why a whole line, which is an expression by itself, can't be written at its place.
-fn find_misfit(place: &Place, text: &str, syntax: &Expr, part: &Part) -> Option<Fault> {
+fn find_misfit(place: &Place, text: &str, statements: &[Stmt], part: &Part) -> Option<Fault> {
     let has_note = |note| place.notes.contains(&note);
+    let [.., Stmt::Expr(syntax, None)] = statements else { return Some(Fault::Block) };
     let is_block = matches!(syntax, Expr::If(_) | Expr::Block(_));
     let tokens = write_tokens(syntax);
     let is_or = matches!(syntax, Expr::Binary(ExprBinary { op: BinOp::Or(_), .. }));
@@ -55,7 +56,7 @@ fn find_misfit(place: &Place, text: &str, syntax: &Expr, part: &Part) -> Option<
     } else if part.is_open && has_note(PlaceNote::MethodFollows) {
         Some(Fault::OpenValue)
     } else if part.value_type != place.value_type {
-        Some(explain_mismatch("Here belongs", part, text, place.value_type))
+        Some(explain_mismatch("This has to be", part, text, place.value_type))
     } else {
         None
     }
@@ -79,7 +80,16 @@ impl Compiler<'_> {
             Expr::Paren(paren) => return self.expression(&paren.expr),
             Expr::Block(block) => return self.statements(&block.block.stmts, range_of(block)),
             Expr::If(branches) => return self.branches(branches),
+            Expr::Call(call) if call.args.is_empty() => {
+                let name = write_tokens(&call.func);
+                return Err(self.explain_refused_call(syntax, &name, range_of(&call.func), &[]));
+            }
+            Expr::Assign(assignment) => return Err(self.refuse_assignment(assignment)),
             _ => {}
+        }
+        let unknown = self.refuse_unknown_chain(syntax);
+        if let Some(refusal) = unknown.or_else(|| self.refuse_unknown_function(syntax)) {
+            return Err(refusal);
         }
         let (name, operands, sign) = split_operation(syntax)?;
         let parts = operands.into_iter().map(|operand| self.expression(operand));
@@ -89,12 +99,18 @@ impl Compiler<'_> {
             if name.starts_with("DVec3") && !self.place.has_vectors {
                 return refuse(sign, Fault::NoVectors);
             }
-            return self.call(&name, &parts, sign);
+            return self.call(syntax, &name, &parts, sign);
         };
         if receiver.is_open {
-            return refuse(receiver.range.clone(), Fault::OpenReceiver);
+            let range = receiver.range.clone();
+            let literal = &self.text[range.clone()];
+            let is_literal = literal.starts_with(|sign: char| sign.is_ascii_digit());
+            let is_literal = is_literal && syn::parse_str::<Lit>(literal).is_ok();
+            let cure = format!("{literal}_f64");
+            let fault = if is_literal { Fault::OpenLiteral { cure } } else { Fault::OpenReceiver };
+            return refuse(range, fault);
         }
-        self.call(&(receiver.value_type.name().to_owned() + &name), &parts, sign)
+        self.call(syntax, &(receiver.value_type.name().to_owned() + &name), &parts, sign)
     }
 
     /// The next slot, of a variable or of `let`, whose value differs from pixel to pixel.
@@ -105,10 +121,16 @@ impl Compiler<'_> {
     }
 
     /// The call of a function, an operator or a cast, whose name is at `sign`.
-    fn call(&self, name: &str, parts: &[Part], sign: Range<usize>) -> Result<Part, Refusal> {
+    fn call(
+        &self,
+        syntax: &Expr,
+        name: &str,
+        parts: &[Part],
+        sign: Range<usize>,
+    ) -> Result<Part, Refusal> {
         let types: Vec<_> = parts.iter().map(|part| part.value_type).collect();
         let Some(function) = find_function(name, &types) else {
-            return Err(explain_refused_call(name, sign, parts, self.place, self.text));
+            return Err(self.explain_refused_call(syntax, name, sign, parts));
         };
         // Rust refuses to divide by a 0 that it knows, whatever is divided.
         let divisor = parts.last().and_then(Part::constant_value);

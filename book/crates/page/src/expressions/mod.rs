@@ -18,6 +18,7 @@ mod compiler;
 mod edited_picture;
 mod evaluation;
 mod functions;
+mod near_name;
 mod operation;
 mod part;
 mod refusal;

@@ -2,15 +2,22 @@
 
 use crate::expressions::compiler::Compiler;
 use crate::expressions::evaluation::Run;
-use crate::expressions::operation::range_of;
+use crate::expressions::operation::{range_of, write_tokens};
 use crate::expressions::part::Part;
 use crate::expressions::refusal::{Fault, Refusal, refuse};
 use crate::expressions::refused_call::explain_mismatch;
 use crate::expressions::value::Value;
 use course::ValueType;
+use quote::ToTokens;
 use std::ops::Range;
 use std::rc::Rc;
-use syn::{ExprIf, Ident, LocalInit, Pat, PatIdent, Stmt};
+use syn::{BinOp, Expr, ExprAssign, ExprIf, Ident, LocalInit, Pat, PatIdent, Stmt, Type};
+
+/// Whether an operator such as += changes its left operand.
+pub fn is_assignment(operator: &BinOp) -> bool {
+    let sign = write_tokens(operator);
+    sign.ends_with('=') && !["==", "!=", "<=", ">="].contains(&&*sign)
+}
 
 impl Compiler<'_> {
     /// One of two values.
@@ -18,6 +25,9 @@ impl Compiler<'_> {
         let Some((_, other)) = &branches.else_branch else {
             return refuse(range_of(&branches.if_token), Fault::MissingElse);
         };
+        if let Expr::Assign(assignment) = &*branches.cond {
+            return refuse(range_of(&assignment.eq_token), Fault::Comparison);
+        }
         let condition = self.expression(&branches.cond)?;
         let then = &branches.then_branch;
         let then = self.statements(&then.stmts, range_of(then))?;
@@ -55,16 +65,34 @@ impl Compiler<'_> {
         let (local, rest) = match statements {
             [Stmt::Expr(value, None)] => return self.expression(value),
             [Stmt::Local(local), rest @ ..] => (local, rest),
+            [] => return refuse(range, Fault::BlockWithoutValue),
+            [Stmt::Expr(Expr::Assign(assignment), _), ..] => {
+                return refuse(range_of(&assignment.eq_token), Fault::Reassignment);
+            }
+            [Stmt::Expr(Expr::Binary(binary), _), ..] if is_assignment(&binary.op) => {
+                return refuse(range_of(&binary.op), Fault::Reassignment);
+            }
+            [Stmt::Expr(_, Some(semicolon))] => {
+                return refuse(range_of(semicolon), Fault::Semicolon);
+            }
             _ => return refuse(range, Fault::Block),
+        };
+        let (pattern, type_name) = match &local.pat {
+            Pat::Type(typed) => (&*typed.pat, Some(&*typed.ty)),
+            pattern => (pattern, None),
         };
         let (
             Pat::Ident(PatIdent { ident, by_ref: None, subpat: None, .. }),
             Some(LocalInit { expr, diverge: None, .. }),
-        ) = (&local.pat, &local.init)
+        ) = (pattern, &local.init)
         else {
             return refuse(range, Fault::Block);
         };
-        let value = self.expression(expr)?;
+        let mut value = self.expression(expr)?;
+        if let Some(type_name) = type_name {
+            self.check_type(ident, type_name, &value)?;
+            value.is_open = false;
+        }
         let is_constant = value.constant_value().is_some();
         let named_part = match is_constant {
             true => value.clone(),
@@ -85,6 +113,52 @@ impl Compiler<'_> {
             result
         }));
         Ok(Part { run, ..part })
+    }
+
+    /// Refuses a value that hasn't the type that `let` gives it.
+    fn check_type(&self, ident: &Ident, type_name: &Type, value: &Part) -> Result<(), Refusal> {
+        let name = type_name.to_token_stream().to_string().replace(' ', "").replace(';', "; ");
+        let Some(wanted) = ValueType::from_name(&name) else {
+            return refuse(range_of(type_name), Fault::TypeName);
+        };
+        if wanted == ValueType::Vector && !self.place.has_vectors {
+            return refuse(range_of(type_name), Fault::NoVectors);
+        }
+        if value.value_type != wanted {
+            let subject = format!("{ident} has to be");
+            let fault = explain_mismatch(&subject, value, self.text, wanted);
+            return refuse(value.range.clone(), fault);
+        }
+        Ok(())
+    }
+
+    /// Refuses an assignment, which has no value.
+    pub fn refuse_assignment(&mut self, assignment: &ExprAssign) -> Refusal {
+        let range = range_of(assignment);
+        let sign = range_of(&assignment.eq_token);
+        if self.place.value_type == ValueType::Bool {
+            return Refusal { range: sign, fault: Fault::Comparison };
+        }
+        let [left, right] = [&assignment.left, &assignment.right].map(range_of);
+        let right_text = &self.text[right];
+        // Such as v.with_x(1.0) for v.x = 1.0.
+        let with_field = match (&*assignment.left, self.place.value_type) {
+            (Expr::Field(field), ValueType::Vector) => {
+                let base = self.expression(&field.base).ok();
+                let is_vector = base.is_some_and(|base| base.value_type == ValueType::Vector);
+                let value = self.expression(&assignment.right).ok();
+                let is_number = value.is_some_and(|value| value.value_type == ValueType::F64);
+                let name = write_tokens(&field.member);
+                let is_field = ["x", "y", "z"].contains(&&*name);
+                let base = &self.text[range_of(&field.base)];
+                (is_vector && is_number && is_field)
+                    .then(|| format!("{base}.with_{name}({right_text})"))
+            }
+            _ => None,
+        };
+        let cure = with_field.unwrap_or_else(|| right_text.to_owned());
+        let left = self.text[left].to_owned();
+        Refusal { range, fault: Fault::Assignment { left, cure } }
     }
 
     /// Makes a name known, which `let` gives to a value.
