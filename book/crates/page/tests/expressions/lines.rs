@@ -78,7 +78,16 @@ fn more_lines_than_there_are_places_are_not_drawn() {
 #[test]
 fn reply_is_about_the_lines_and_no_others() {
     for (lines, words) in [
-        ("near (-b - d.sqrt()) / (2.0 * a) + 0.1", "This picture can't show"),
+        ("near (-b - d.sqrt()) / (2.0 * a) + 0.1", "The picture of step 4 would show it"),
+        ("near -(-b - d.sqrt()) / (2.0 * a)", "The picture of step 3 would show it"),
+        ("near (-b + d.sqrt()) / (2.0 * a)", "The picture of step 4 would show it"),
+        ("v ray.direction.normalize()", "The picture of step 4 would show it"),
+        ("c s.length_squared() - self.radius.powi(2)", "none differs there, either"),
+        ("b 2.0 * v.dot(s)\u{1f}a v.length_squared()", "none differs there, either"),
+        (
+            "b 2.0 * s.dot(v)\u{1f}misses d <= 0.0",
+            "Not one pixel differs from the book's picture.\"",
+        ),
         ("nearer t < best.as_ref().map_or(f64::INFINITY, |hit| hit.t)", "Not one pixel differs"),
         ("normal p - sphere.centre", "n is not a unit vector"),
         ("normal p - sphere.centre\u{1f}byte 255.0 * intensity + 0.5", "\"known\":\"\""),
