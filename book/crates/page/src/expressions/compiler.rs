@@ -5,7 +5,7 @@ use crate::expressions::functions::{Function, find_function, remainder_operation
 use crate::expressions::operation::{range_of, split_operation, write_tokens};
 use crate::expressions::part::{Part, literal_part};
 use crate::expressions::refusal::{Fault, Refusal, refuse};
-use crate::expressions::refused_call::explain_mismatch;
+use crate::expressions::refused_call::{explain_mismatch, is_method};
 use crate::expressions::syntax::parse_syntax;
 use crate::expressions::value::Value;
 use course::{Place, PlaceNote, ValueType};
@@ -101,7 +101,7 @@ impl Compiler<'_> {
             }
             return self.call(syntax, &name, &parts, sign);
         };
-        if receiver.is_open {
+        if receiver.is_open && name != "::into" {
             let range = receiver.range.clone();
             let literal = &self.text[range.clone()];
             let is_literal = literal.starts_with(|sign: char| sign.is_ascii_digit());
@@ -110,7 +110,14 @@ impl Compiler<'_> {
             let fault = if is_literal { Fault::OpenLiteral { cure } } else { Fault::OpenReceiver };
             return refuse(range, fault);
         }
-        self.call(syntax, &(receiver.value_type.name().to_owned() + &name), &parts, sign)
+        let path = receiver.value_type.name().to_owned() + &name;
+        match name.strip_prefix("::") {
+            // Such as f64::from, which is no method.
+            Some(name) if !is_method(receiver.value_type, name) => {
+                Err(self.explain_refused_call(syntax, &path, sign, &parts))
+            }
+            _ => self.call(syntax, &path, &parts, sign),
+        }
     }
 
     /// The next slot, of a variable or of `let`, whose value differs from pixel to pixel.

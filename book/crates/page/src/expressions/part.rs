@@ -46,7 +46,6 @@ pub fn literal_part(literal: &Lit) -> Result<Part, Refusal> {
     // Rust has no 0b1_f64, and reads 0x1_f64 as a whole number.
     let is_decimal =
         !["0b", "0o", "0x"].iter().any(|start| literal_text(literal).starts_with(start));
-    let point = if is_whole { ".0" } else { "" };
     let value = match (suffix, is_whole) {
         ("" | "i32", true) => digits.parse().map(Value::I32).ok(),
         ("", false) | ("f64", _) if is_decimal => digits.parse().map(Value::F64).ok(),
@@ -59,12 +58,12 @@ pub fn literal_part(literal: &Lit) -> Result<Part, Refusal> {
             range,
             match suffix {
                 "" | "i32" if is_whole => Fault::BeyondI32 { cure: format!("{digits}.0") },
-                "f16" | "f32" | "f128" => Fault::Suffix { cure: format!("{digits}{point}") },
+                "f16" | "f32" | "f128" => Fault::Suffix { cure: format!("{digits}_f64") },
                 "i8" | "i16" | "i64" | "i128" | "isize" | "u8" | "u16" | "u32" | "u64" | "u128"
                 | "usize"
                     if is_whole =>
                 {
-                    Fault::Suffix { cure: digits.to_owned() }
+                    Fault::Suffix { cure: format!("{digits}_i32") }
                 }
                 _ => Fault::Literal,
             },
@@ -98,9 +97,9 @@ mod tests {
             assert_eq!(parse(text), Ok((Value::F64(60.0), false)), "{text}");
         }
         let cure = |text| parse(text).expect_err("a fault").cure().map(str::to_owned);
-        assert_eq!(cure("2_u8").as_deref(), Some("2"));
-        assert_eq!(cure("2.5_f32").as_deref(), Some("2.5"));
-        assert_eq!(cure("1f32").as_deref(), Some("1.0"));
+        assert_eq!(cure("2_u8").as_deref(), Some("2_i32"));
+        assert_eq!(cure("2.5_f32").as_deref(), Some("2.5_f64"));
+        assert_eq!(cure("1f32").as_deref(), Some("1_f64"));
         assert_eq!(cure("2147483648").as_deref(), Some("2147483648.0"));
         for text in ["2a", "0b1f64", "2.0_i32", "'a'"] {
             assert_eq!(parse(text), Err(Fault::Literal), "{text}");

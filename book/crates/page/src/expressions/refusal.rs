@@ -85,6 +85,8 @@ pub enum Fault {
     TypeName,
     #[error("Take another name here, in small letters.")]
     Name,
+    #[error("{0} is taken, and a page can't give a name twice. Take another.")]
+    TakenName(String),
     #[error("Put parentheses around the block at the beginning.")]
     BlockAtStart,
     #[error("It stands behind a &&: put parentheses around it.")]

@@ -24,12 +24,9 @@ pub fn explain_mismatch(subject: &str, part: &Part, text: &str, wanted: ValueTyp
     let cure = match (actual, wanted) {
         (I32, F64 | Vector) => {
             let is_literal = text.bytes().all(|byte| byte.is_ascii_digit() || byte == b'_');
-            let cure = if is_literal {
-                format!("{text}.0")
-            } else if matches!(syn::parse_str(text), Ok(Expr::Paren(_))) {
-                format!("f64::from{text}")
-            } else {
-                format!("f64::from({text})")
+            let cure = match is_literal {
+                true => format!("{text}.0"),
+                false => format!("f64::from{}", in_parentheses(text)),
             };
             return Fault::WholeNumber { cure };
         }
@@ -39,14 +36,15 @@ pub fn explain_mismatch(subject: &str, part: &Part, text: &str, wanted: ValueTyp
         (Vector, F64) => " a.dot(b) makes a number of two vectors.",
         (F64, Vector) => " DVec3::splat(…) makes a vector of it.",
         (Array, Vector) => " DVec3::from(…) makes a vector of it.",
-        (F64, I32) => " Write 2, or take .powf.",
+        (F64, I32) if subject.starts_with(".powi") => " Write 2, or take .powf.",
+        (F64, I32) => " as i32 makes one of it, without its fraction.",
         _ => "",
     };
     Fault::Mismatch { subject: subject.to_owned(), wanted, actual, cure }
 }
 
 /// Whether a method of values of this type has this name.
-fn is_method(receiver: ValueType, name: &str) -> bool {
+pub fn is_method(receiver: ValueType, name: &str) -> bool {
     !NO_METHODS.contains(&name) && is_known(&format!("{}::{name}", receiver.name()))
 }
 
@@ -69,6 +67,12 @@ fn write_member((name, function): (&str, &Function)) -> String {
         [_] => format!("{name}()"),
         _ => format!("{name}(…)"),
     }
+}
+
+/// An expression in parentheses, which it may have already.
+fn in_parentheses(text: &str) -> String {
+    let has_them = matches!(syn::parse_str(text), Ok(Expr::Paren(_)));
+    if has_them { text.to_owned() } else { format!("({text})") }
 }
 
 /// Whether a method can be called on this expression without parentheses around it.
@@ -222,8 +226,8 @@ impl Compiler<'_> {
         let (text, value_type) = (&self.text[receiver.range.clone()], receiver.value_type);
         if member == "into" && parts.len() == 1 && matches!(syntax, Expr::MethodCall(_)) {
             let cure = match value_type {
-                ValueType::Array => format!("DVec3::from({text})"),
-                ValueType::I32 | ValueType::Bool => format!("f64::from({text})"),
+                ValueType::Array => format!("DVec3::from{}", in_parentheses(text)),
+                ValueType::I32 | ValueType::Bool => format!("f64::from{}", in_parentheses(text)),
                 ValueType::F64 | ValueType::Vector => text.to_owned(),
             };
             return Refusal { range: range_of(syntax), fault: Fault::Into { cure } };

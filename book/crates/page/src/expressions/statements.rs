@@ -19,6 +19,19 @@ pub fn is_assignment(operator: &BinOp) -> bool {
     sign.ends_with('=') && !["==", "!=", "<=", ">="].contains(&&*sign)
 }
 
+/// The expression that gives a block or the first branch of an `if` its value, without the braces.
+fn value_of(syntax: &Expr) -> &Expr {
+    let statements = match syntax {
+        Expr::Block(block) => &block.block.stmts,
+        Expr::If(branches) => &branches.then_branch.stmts,
+        _ => return syntax,
+    };
+    match statements.last() {
+        Some(Stmt::Expr(value, None)) => value_of(value),
+        _ => syntax,
+    }
+}
+
 impl Compiler<'_> {
     /// One of two values.
     pub fn branches(&mut self, branches: &ExprIf) -> Result<Part, Refusal> {
@@ -31,7 +44,7 @@ impl Compiler<'_> {
         let condition = self.expression(&branches.cond)?;
         let then = &branches.then_branch;
         let then = self.statements(&then.stmts, range_of(then))?;
-        let other = self.expression(other)?;
+        let other = Part { range: range_of(value_of(other)), ..self.expression(other)? };
         for (part, wanted) in [(&condition, ValueType::Bool), (&other, then.value_type)] {
             if part.value_type != wanted {
                 let fault = explain_mismatch("if takes", part, self.text, wanted);
@@ -134,6 +147,10 @@ impl Compiler<'_> {
 
     /// Refuses an assignment, which has no value.
     pub fn refuse_assignment(&mut self, assignment: &ExprAssign) -> Refusal {
+        let value = match self.expression(&assignment.right) {
+            Ok(value) => value,
+            Err(refusal) => return refusal,
+        };
         let range = range_of(assignment);
         let sign = range_of(&assignment.eq_token);
         if self.place.value_type == ValueType::Bool {
@@ -146,8 +163,7 @@ impl Compiler<'_> {
             (Expr::Field(field), ValueType::Vector) => {
                 let base = self.expression(&field.base).ok();
                 let is_vector = base.is_some_and(|base| base.value_type == ValueType::Vector);
-                let value = self.expression(&assignment.right).ok();
-                let is_number = value.is_some_and(|value| value.value_type == ValueType::F64);
+                let is_number = value.value_type == ValueType::F64;
                 let name = write_tokens(&field.member);
                 let is_field = ["x", "y", "z"].contains(&&*name);
                 let base = &self.text[range_of(&field.base)];
@@ -166,11 +182,11 @@ impl Compiler<'_> {
         let name = ident.to_string();
         let is_end = |sign: char| !sign.is_alphanumeric() && sign != '_';
         let mut firsts = self.names.iter().map(|(known, _)| known.split(is_end).next());
-        if firsts.any(|first| first == Some(&name))
-            || ["self", "gen"].contains(&&*name)
-            || name.starts_with(char::is_uppercase)
-        {
+        if ["self", "gen"].contains(&&*name) || name.starts_with(char::is_uppercase) {
             return refuse(range_of(ident), Fault::Name);
+        }
+        if firsts.any(|first| first == Some(&name)) {
+            return refuse(range_of(ident), Fault::TakenName(name));
         }
         self.names.push((name, part));
         Ok(())

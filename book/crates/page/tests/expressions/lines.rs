@@ -1,8 +1,9 @@
 //! What a reader is told about lines that are refused, when they are read or while they draw. The
 //! part that is wrong is between ⟦ and ⟧.
 
-use course::all_listed_places;
+use course::{Place, all_listed_places};
 use page::expressions::{Fault, Refusal, draw_edited, parse_expression};
+use std::ops::Range;
 
 #[test]
 fn refused_lines_have_their_range_and_sentence() {
@@ -19,6 +20,43 @@ fn refused_lines_have_their_range_and_sentence() {
         };
     }
     insta::assert_snapshot!(report);
+}
+
+/// The line with the cures in it that its refusals offer, one after the other.
+///
+/// # Panics
+///
+/// Panics if a cure is refused itself.
+pub fn cure_line(place: &Place, text: &str) -> String {
+    let mut cured = text.to_owned();
+    let mut last = None;
+    for _ in 0..8 {
+        let Err(Refusal { range, fault }) = parse_expression(place, &cured) else { break };
+        if let Some(Range { start, end }) = last {
+            let is_in_cure = start <= range.start && range.end <= end;
+            // What stands around a cure may ask for another type.
+            let is_of_type = matches!(fault, Fault::WholeNumber { .. } | Fault::Mismatch { .. });
+            assert!(!is_in_cure || is_of_type, "{text}, cured: {cured}: {fault}");
+        }
+        let Some(cure) = fault.cure() else { break };
+        last = Some(range.start..range.start + cure.len());
+        cured.replace_range(range, cure);
+    }
+    cured
+}
+
+#[test]
+fn cures_are_accepted() {
+    let mut cured_lines = String::new();
+    for line in include_str!("lines.txt").lines() {
+        let (name, text) = line.split_once(' ').expect("a place and a text");
+        let place = all_listed_places().into_iter().find(|place| place.name == name);
+        let cured = cure_line(&place.expect("a place"), text);
+        if cured != text {
+            cured_lines += &format!("{name} {text}\n  → {cured}\n");
+        }
+    }
+    insta::assert_snapshot!(cured_lines);
 }
 
 /// Draws a small picture.
