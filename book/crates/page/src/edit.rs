@@ -22,7 +22,7 @@ const FULL_SIZE: u32 = 640;
 const MAX_OPERATIONS: u64 = 4_000_000;
 
 /// The distance of the pixels of a later step that are tried, both ways.
-const DISTANCE: u32 = 8;
+const DISTANCE: u32 = 12;
 
 /// The lines that a page asks to draw, each with its place, and the width of the picture.
 struct Edit<'a> {

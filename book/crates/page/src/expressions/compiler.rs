@@ -11,7 +11,7 @@ use crate::expressions::value::Value;
 use course::{Place, PlaceNote, ValueType};
 use std::ops::Range;
 use std::rc::Rc;
-use syn::{BinOp, Expr, ExprBinary, Lit, Stmt};
+use syn::{BinOp, Expr, ExprBinary, Stmt};
 
 /// Compiles the syntax of a line, part by part.
 pub struct Compiler<'a> {
@@ -105,7 +105,7 @@ impl Compiler<'_> {
             let range = receiver.range.clone();
             let literal = &self.text[range.clone()];
             let is_literal = literal.starts_with(|sign: char| sign.is_ascii_digit());
-            let is_literal = is_literal && syn::parse_str::<Lit>(literal).is_ok();
+            let is_literal = is_literal && matches!(syn::parse_str(literal), Ok(Expr::Lit(_)));
             let cure = format!("{literal}_f64");
             let fault = if is_literal { Fault::OpenLiteral { cure } } else { Fault::OpenReceiver };
             return refuse(range, fault);

@@ -137,3 +137,22 @@ fn reply_is_about_the_lines_and_no_others() {
         assert!(text.contains(words), "{lines}: {text}");
     }
 }
+
+#[test]
+fn line_can_be_read_at_each_letter_that_is_typed() {
+    for line in include_str!("lines.txt").lines() {
+        let (name, text) = line.split_once(' ').expect("a place and a text");
+        let place = all_listed_places().into_iter().find(|place| place.name == name);
+        let place = place.expect("a place");
+        for (end, _) in text.char_indices() {
+            for typed in [&text[..end], &text[end..]] {
+                if let Err(Refusal { range, fault }) = parse_expression(&place, typed) {
+                    assert!(
+                        range.start <= range.end && range.end <= typed.len(),
+                        "{typed}: {fault}"
+                    );
+                }
+            }
+        }
+    }
+}
