@@ -79,10 +79,15 @@ pub enum PlaceNote {
     AfterAnd,
     /// The step's picture shows whether a ray hits the ball, but not at which `t`.
     OnlyMovesHit,
+    /// It is the last in its row, so a comment may follow it.
+    EndsRow,
+    /// It is the value at the end of a block, and the last in its row. `let` may precede it.
+    EndsBlock,
 }
 
 impl PlaceNote {
-    const ALL: [Self; 3] = [Self::MethodFollows, Self::AfterAnd, Self::OnlyMovesHit];
+    const ALL: [Self; 5] =
+        [Self::MethodFollows, Self::AfterAnd, Self::OnlyMovesHit, Self::EndsRow, Self::EndsBlock];
 
     /// The text of the note in places.txt.
     fn words(self) -> &'static str {
@@ -90,6 +95,8 @@ impl PlaceNote {
             Self::MethodFollows => "a method is called on the value",
             Self::AfterAnd => "the right operand of &&",
             Self::OnlyMovesHit => "the picture doesn't show the t of a hit",
+            Self::EndsRow => "nothing follows in its row",
+            Self::EndsBlock => "the value of a block",
         }
     }
 }
@@ -288,7 +295,19 @@ misses: bool = d < 0.0
         for place in all_listed_places() {
             let path = crate::workspace().join("steps").join(place.file);
             let text = std::fs::read_to_string(path).expect("a file");
-            place.find_range(&text).unwrap_or_else(|error| panic!("{error}"));
+            let range = place.find_range(&text).unwrap_or_else(|error| panic!("{error}"));
+            let (before, after) = (text[..range.start].trim_end(), &text[range.end..]);
+            let ends_row = after.starts_with(['\r', '\n']);
+            let ends_block = after.trim_start().starts_with('}') && before.ends_with(['{', ';']);
+            let note = match (ends_row, ends_block) {
+                (true, true) => Some(PlaceNote::EndsBlock),
+                (true, false) => Some(PlaceNote::EndsRow),
+                (false, _) => None,
+            };
+            let notes = place.notes.iter().copied();
+            let notes =
+                notes.filter(|note| matches!(note, PlaceNote::EndsRow | PlaceNote::EndsBlock));
+            assert_eq!(notes.collect::<Vec<_>>(), Vec::from_iter(note), "{}", place.name);
             let imports = text.lines().filter(|line| line.starts_with("use glam::"));
             let has_vectors = imports.collect::<String>().contains("DVec3");
             assert_eq!(place.has_vectors, has_vectors, "`uses DVec3` of {}", place.file);

@@ -5,17 +5,17 @@ use crate::expressions::functions::{Function, find_function, remainder_operation
 use crate::expressions::operation::{range_of, split_operation, write_tokens};
 use crate::expressions::part::{Part, literal_part};
 use crate::expressions::refusal::{Fault, Refusal, refuse};
-use crate::expressions::refused_call::{explain_mismatch, explain_refused_call};
+use crate::expressions::refused_call::{explain_mismatch, is_method};
 use crate::expressions::syntax::parse_syntax;
 use crate::expressions::value::Value;
 use course::{Place, PlaceNote, ValueType};
 use std::ops::Range;
 use std::rc::Rc;
-use syn::{BinOp, Expr, ExprBinary};
+use syn::{BinOp, Expr, ExprBinary, Stmt};
 
 /// Compiles the syntax of a line recursively.
 pub struct Compiler<'a> {
-    place: &'a Place,
+    pub place: &'a Place,
     pub text: &'a str,
     /// The values that have names: the place's variables, such as `ray.start`, and those bound by
     /// `let`.
@@ -24,14 +24,14 @@ pub struct Compiler<'a> {
 
 /// Compiles what the reader wrote at a place.
 pub fn parse_expression(place: &Place, text: &str) -> Result<Expression, Refusal> {
-    let syntax = parse_syntax(text)?;
+    let statements = parse_syntax(place, text)?;
     let mut compiler = Compiler { place, text, names: vec![] };
     for (name, value_type) in &place.variables {
         let part = compiler.new_slot(*value_type, false);
         compiler.names.push((name.split_whitespace().collect(), part));
     }
-    let part = compiler.compile_expression(&syntax)?;
-    if let Some(fault) = find_misfit(place, text, &syntax, &part) {
+    let part = compiler.compile_statements(&statements, 0..text.len())?;
+    if let Some(fault) = find_misfit(place, text, &statements, &part) {
         return refuse(part.range, fault);
     }
     Ok(Expression {
@@ -44,8 +44,9 @@ pub fn parse_expression(place: &Place, text: &str) -> Result<Expression, Refusal
 }
 
 /// Explains why a line doesn't fit its place, although it is a valid expression on its own.
-fn find_misfit(place: &Place, text: &str, syntax: &Expr, part: &Part) -> Option<Fault> {
+fn find_misfit(place: &Place, text: &str, statements: &[Stmt], part: &Part) -> Option<Fault> {
     let has_note = |note| place.notes.contains(&note);
+    let [.., Stmt::Expr(syntax, None)] = statements else { return Some(Fault::Block) };
     let is_block = matches!(syntax, Expr::If(_) | Expr::Block(_));
     let tokens = write_tokens(syntax);
     let is_or = matches!(syntax, Expr::Binary(ExprBinary { op: BinOp::Or(_), .. }));
@@ -56,7 +57,7 @@ fn find_misfit(place: &Place, text: &str, syntax: &Expr, part: &Part) -> Option<
     } else if part.is_open && has_note(PlaceNote::MethodFollows) {
         Some(Fault::OpenValue)
     } else if part.value_type != place.value_type {
-        Some(explain_mismatch("Here belongs", part, text, place.value_type))
+        Some(explain_mismatch("This has to be", part, text, place.value_type))
     } else {
         None
     }
@@ -82,7 +83,16 @@ impl Compiler<'_> {
                 return self.compile_statements(&block.block.stmts, range_of(block));
             }
             Expr::If(branches) => return self.compile_if(branches),
+            Expr::Call(call) if call.args.is_empty() => {
+                let name = write_tokens(&call.func);
+                return Err(self.explain_refused_call(syntax, &name, range_of(&call.func), &[]));
+            }
+            Expr::Assign(assignment) => return Err(self.refuse_assignment(assignment)),
             _ => {}
+        }
+        let unknown = self.refuse_unknown_chain(syntax);
+        if let Some(refusal) = unknown.or_else(|| self.refuse_unknown_function(syntax)) {
+            return Err(refusal);
         }
         let (name, operands, sign) = split_operation(syntax)?;
         let parts = operands.into_iter().map(|operand| self.compile_expression(operand));
@@ -92,12 +102,25 @@ impl Compiler<'_> {
             if name.starts_with("DVec3") && !self.place.has_vectors {
                 return refuse(sign, Fault::NoVectors);
             }
-            return self.compile_call(&name, &parts, sign);
+            return self.compile_call(syntax, &name, &parts, sign);
         };
-        if receiver.is_open {
-            return refuse(receiver.range.clone(), Fault::OpenReceiver);
+        if receiver.is_open && name != "::into" {
+            let range = receiver.range.clone();
+            let literal = &self.text[range.clone()];
+            let is_literal = literal.starts_with(|sign: char| sign.is_ascii_digit());
+            let is_literal = is_literal && matches!(syn::parse_str(literal), Ok(Expr::Lit(_)));
+            let cure = format!("{literal}_f64");
+            let fault = if is_literal { Fault::OpenLiteral { cure } } else { Fault::OpenReceiver };
+            return refuse(range, fault);
         }
-        self.compile_call(&(receiver.value_type.name().to_owned() + &name), &parts, sign)
+        let path = receiver.value_type.name().to_owned() + &name;
+        match name.strip_prefix("::") {
+            // Such as f64::from, which is no method.
+            Some(name) if !is_method(receiver.value_type, name) => {
+                Err(self.explain_refused_call(syntax, &path, sign, &parts))
+            }
+            _ => self.compile_call(syntax, &path, &parts, sign),
+        }
     }
 
     /// A part that reads the next free slot: a variable, or a `let` whose value differs from pixel
@@ -111,13 +134,14 @@ impl Compiler<'_> {
     /// Compiles a call to a function, an operator or a cast, whose name is at range `sign`.
     fn compile_call(
         &self,
+        syntax: &Expr,
         name: &str,
         parts: &[Part],
         sign: Range<usize>,
     ) -> Result<Part, Refusal> {
         let types: Vec<_> = parts.iter().map(|part| part.value_type).collect();
         let Some(function) = find_function(name, &types) else {
-            return Err(explain_refused_call(name, sign, parts, self.place, self.text));
+            return Err(self.explain_refused_call(syntax, name, sign, parts));
         };
         // Rust refuses to divide by a constant 0, even if the dividend isn't constant.
         let divisor = parts.last().and_then(Part::constant_value);

@@ -29,6 +29,8 @@ struct Context {
     /// 5, a single ray consults more than sixty places. With a list instead of these bits, a
     /// picture on a page took twice as long.
     edited: Cell<u64>,
+    /// The distance of the pixels that are drawn, both ways.
+    distance: Cell<u32>,
     picture: RefCell<EditedPicture>,
 }
 
@@ -46,7 +48,11 @@ thread_local! {
     /// book's. It is thread-local because the steps' functions have no parameter for it, and don't
     /// get one, since the book shows them. Everything else is passed as an argument.
     static CONTEXT: Context = const {
-        Context { edited: Cell::new(0), picture: RefCell::new(EditedPicture::new(vec![], 0)) }
+        Context {
+            edited: Cell::new(0),
+            distance: Cell::new(1),
+            picture: RefCell::new(EditedPicture::new(vec![], 0)),
+        }
     };
 }
 
@@ -122,7 +128,11 @@ pub fn stop_unless(condition: bool, sentence: &'static str) {
 /// function of the same name, which uses all processors: our context belongs to one thread.
 pub fn draw_pixels(camera: &Camera, pixel: impl Fn(f64, f64) -> Rgb<u8> + Sync) -> RgbImage {
     let mut picture = RgbImage::new(camera.h_res, camera.v_res);
+    let distance = CONTEXT.with(|context| context.distance.get());
     for (i, j, rgb) in picture.enumerate_pixels_mut() {
+        if i % distance != 0 || j % distance != 0 {
+            continue;
+        }
         *rgb = pixel(i.into(), j.into());
         if CONTEXT.with(|context| context.picture.borrow().refusal.is_some()) {
             break;
@@ -138,7 +148,32 @@ pub fn draw_edited(
     columns: u32,
     operations: u64,
 ) -> Result<RgbImage, LineRefusal> {
-    let draw = match lines.first().map_or("", |line| line.step_name) {
+    let step_name = lines.first().map_or("", |line| line.step_name);
+    draw_step(step_name, lines, columns, operations)
+}
+
+/// Some pixels of the picture of any step, at this distance from each other both ways. The others
+/// are black.
+pub fn draw_some_pixels(
+    step_name: &str,
+    lines: &[Expression],
+    distance: u32,
+    columns: u32,
+    operations: u64,
+) -> Result<RgbImage, LineRefusal> {
+    CONTEXT.with(|context| context.distance.set(distance));
+    let picture = draw_step(step_name, lines, columns, operations);
+    CONTEXT.with(|context| context.distance.set(1));
+    picture
+}
+
+fn draw_step(
+    step_name: &str,
+    lines: &[Expression],
+    columns: u32,
+    operations: u64,
+) -> Result<RgbImage, LineRefusal> {
+    let draw = match step_name {
         "step01_rays" => step01_rays::picture,
         "step02_sphere" => step02_sphere::picture,
         "step03_nearest" => step03_nearest::picture,

@@ -36,8 +36,13 @@ pub fn find_function(name: &str, types: &[ValueType]) -> Option<&'static Functio
 /// The number of operations that the remainder of `values` counts as. It is computed bit by bit,
 /// which takes longest if the quotient is large.
 pub fn remainder_operations(values: &[Value]) -> u64 {
-    match values {
-        [Value::F64(a), Value::F64(b)] if a.abs() > 1e15 * b.abs() => 41,
+    let operations = |a: f64, b: f64| if a.abs() > 1e15 * b.abs() { 41 } else { 1 };
+    let of_vectors = |a: DVec3, b: DVec3| (0..3).map(|axis| operations(a[axis], b[axis])).sum();
+    match *values {
+        [Value::F64(a), Value::F64(b)] => operations(a, b),
+        [Value::Vector(a), Value::F64(b)] => of_vectors(a, DVec3::splat(b)),
+        [Value::F64(a), Value::Vector(b)] => of_vectors(DVec3::splat(a), b),
+        [Value::Vector(a), Value::Vector(b)] => of_vectors(a, b),
         _ => 1,
     }
 }
@@ -77,6 +82,14 @@ macro_rules! constants {
     ($type:ident -> $result:ident: $($name:ident)*) => {
         functions! { $(
             concat!(stringify!($type), "::", stringify!($name)), () -> $result = $type::$name;
+        )* }
+    };
+}
+
+macro_rules! math_constants {
+    ($($name:ident)*) => {
+        functions! { $(
+            concat!("std::f64::consts::", stringify!($name)), () -> F64 = consts::$name;
         )* }
     };
 }
@@ -121,15 +134,15 @@ static FUNCTIONS: &[&[Function]] = &[
     methods!(DVec3 (a: Vector, b: Vector, c: Vector) (a, b, c) -> Vector: clamp mul_add),
     constants!(f64 -> F64: MAX MIN NAN EPSILON INFINITY NEG_INFINITY),
     constants!(DVec3 -> Vector: ZERO ONE NEG_ONE X Y Z NEG_X NEG_Y NEG_Z),
-    operators!(+ - * /),
+    operators!(+ - * / %),
     comparisons!(== != < > <= >=),
     functions! {
         "&&", (a: Bool, b: Bool) -> Bool = a && b;
         "||", (a: Bool, b: Bool) -> Bool = a || b;
         "!", (a: Bool) -> Bool = !a;
+        "!", (a: I32) -> I32 = !a;
         "-", (a: F64) -> F64 = -a;
         "-", (a: Vector) -> Vector = -a;
-        "%", (a: F64, b: F64) -> F64 = a % b;
         "f64::rem_euclid", (a: F64, b: F64) -> F64 = a.rem_euclid(b);
         "as f64", (a: F64) -> F64 = a;
         "as f64", (a: I32) -> F64 = a.into();
@@ -137,10 +150,13 @@ static FUNCTIONS: &[&[Function]] = &[
         "as i32", (a: I32) -> I32 = a;
         "as i32", (a: Bool) -> I32 = a.into();
         "f64::from", (a: I32) -> F64 = a.into();
+        "f64::from", (a: F64) -> F64 = a;
         "f64::from", (a: Bool) -> F64 = a.into();
         "DVec3::new", (x: F64, y: F64, z: F64) -> Vector = DVec3::new(x, y, z);
         "DVec3::splat", (a: F64) -> Vector = DVec3::splat(a);
         "DVec3::from", (a: Array) -> Vector = a.into();
+        "DVec3::from_array", (a: Array) -> Vector = DVec3::from_array(a);
+        "DVec3::to_array", (a: Vector) -> Array = a.to_array();
         "[…]", (x: F64, y: F64, z: F64) -> Array = [x, y, z];
         "[0]", (a: Array) -> F64 = a[0];
         "[1]", (a: Array) -> F64 = a[1];
@@ -151,9 +167,13 @@ static FUNCTIONS: &[&[Function]] = &[
         "DVec3.x", (a: Vector) -> F64 = a.x;
         "DVec3.y", (a: Vector) -> F64 = a.y;
         "DVec3.z", (a: Vector) -> F64 = a.z;
-        "std::f64::consts::PI", () -> F64 = consts::PI;
-        "std::f64::consts::TAU", () -> F64 = consts::TAU;
+        "==", (a: Vector, b: Vector) -> Bool = a == b;
+        "!=", (a: Vector, b: Vector) -> Bool = a != b;
+        "==", (a: Bool, b: Bool) -> Bool = a == b;
+        "!=", (a: Bool, b: Bool) -> Bool = a != b;
     },
+    math_constants!(PI TAU E FRAC_PI_2 FRAC_PI_3 FRAC_PI_4 FRAC_PI_6 FRAC_PI_8 FRAC_1_PI FRAC_2_PI
+        SQRT_2 FRAC_1_SQRT_2 LN_2 LN_10),
     // Integer operators panic on overflow, as in a development build.
     partial_functions! {
         "+", (a: I32, b: I32) -> I32 = a.checked_add(b);
@@ -199,6 +219,9 @@ mod tests {
     fn remainder_of_a_large_quotient_counts_as_more() {
         let operations = |a, b| remainder_operations(&[Value::F64(a), Value::F64(b)]);
         assert_eq!((operations(1e15, 1.0), operations(-1e16, 1.0)), (1, 41));
+        let [small, large] = [DVec3::ONE, DVec3::new(1.0, 1e16, 1e16)].map(Value::Vector);
+        assert_eq!(remainder_operations(&[small, Value::F64(1.0)]), 3);
+        assert_eq!(remainder_operations(&[large, small]), 83);
         assert_eq!(remainder_operations(&[Value::I32(7), Value::I32(2)]), 1);
     }
 }

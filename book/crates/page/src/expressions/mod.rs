@@ -19,6 +19,7 @@ mod compiler;
 mod edited_picture;
 mod evaluation;
 mod functions;
+mod near_name;
 mod operation;
 mod part;
 mod refusal;
@@ -28,7 +29,7 @@ mod syntax;
 mod value;
 
 pub use compiler::parse_expression;
-pub use edited_picture::{LineRefusal, draw_edited, draw_pixels};
+pub use edited_picture::{LineRefusal, draw_edited, draw_pixels, draw_some_pixels};
 pub use evaluation::Expression;
 pub use refusal::{Fault, Refusal};
 pub use value::Value;

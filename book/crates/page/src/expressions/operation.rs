@@ -59,9 +59,7 @@ pub fn split_operation(syntax: &Expr) -> Result<Operation<'_>, Refusal> {
         Expr::Reference(reference) => {
             return refuse(range_of(&reference.and_token), Fault::Reference);
         }
-        Expr::Assign(assignment) => {
-            return refuse(range_of(&assignment.eq_token), Fault::Assignment);
-        }
+        Expr::Match(branches) => return refuse(range_of(&branches.match_token), Fault::Match),
         _ => return refuse(range_of(syntax), Fault::Unsupported),
     })
 }

@@ -5,6 +5,7 @@ use crate::expressions::operation::range_of;
 use crate::expressions::refusal::{Fault, Refusal, refuse};
 use crate::expressions::value::Value;
 use course::ValueType;
+use quote::ToTokens;
 use std::ops::Range;
 use syn::Lit;
 
@@ -34,21 +35,44 @@ impl Part {
 
 /// Compiles a number, `true` or `false`.
 pub fn literal_part(literal: &Lit) -> Result<Part, Refusal> {
-    let value = match literal {
-        Lit::Bool(truth) => Some(Value::Bool(truth.value)),
-        Lit::Int(number) => number.base10_parse().map(Value::I32).ok(),
-        Lit::Float(number) => number.base10_parse().map(Value::F64).ok(),
+    let range = range_of(literal);
+    let (digits, suffix) = match literal {
+        Lit::Bool(truth) => return Ok(Part::constant(Value::Bool(truth.value), false, range)),
+        Lit::Int(number) => (number.base10_digits(), number.suffix()),
+        Lit::Float(number) => (number.base10_digits(), number.suffix()),
+        _ => return refuse(range, Fault::Literal),
+    };
+    let is_whole = matches!(literal, Lit::Int(_));
+    // Rust has no 0b1_f64, and reads 0x1_f64 as a whole number.
+    let is_decimal =
+        !["0b", "0o", "0x"].iter().any(|start| literal_text(literal).starts_with(start));
+    let value = match (suffix, is_whole) {
+        ("" | "i32", true) => digits.parse().map(Value::I32).ok(),
+        ("", false) | ("f64", _) if is_decimal => digits.parse().map(Value::F64).ok(),
         _ => None,
     };
-    let suffix = literal.suffix();
-    let range = range_of(literal);
     match value {
         Some(Value::F64(f64::INFINITY)) => refuse(range, Fault::BeyondF64),
-        Some(value) if suffix.is_empty() || suffix == value.value_type().name() => {
-            Ok(Part::constant(value, suffix.is_empty(), range))
-        }
-        _ => refuse(range, Fault::Literal),
+        Some(value) => Ok(Part::constant(value, suffix.is_empty(), range)),
+        None => refuse(
+            range,
+            match suffix {
+                "" | "i32" if is_whole => Fault::BeyondI32 { cure: format!("{digits}.0") },
+                "f16" | "f32" | "f128" => Fault::Suffix { cure: format!("{digits}_f64") },
+                "i8" | "i16" | "i64" | "i128" | "isize" | "u8" | "u16" | "u32" | "u64" | "u128"
+                | "usize"
+                    if is_whole =>
+                {
+                    Fault::Suffix { cure: format!("{digits}_i32") }
+                }
+                _ => Fault::Literal,
+            },
+        ),
     }
+}
+
+fn literal_text(literal: &Lit) -> String {
+    literal.to_token_stream().to_string()
 }
 
 #[cfg(test)]
@@ -69,7 +93,15 @@ mod tests {
         assert_eq!(parse("2.5"), Ok((Value::F64(2.5), true)));
         assert_eq!(parse("1e-3f64"), Ok((Value::F64(0.001), false)));
         assert_eq!(parse("1e999"), Err(Fault::BeyondF64));
-        for text in ["2_u8", "2.0_f32", "2147483648", "'a'"] {
+        for text in ["60f64", "60_f64", "6_0f64", "60.0_f64", "6e1_f64"] {
+            assert_eq!(parse(text), Ok((Value::F64(60.0), false)), "{text}");
+        }
+        let cure = |text| parse(text).expect_err("a fault").cure().map(str::to_owned);
+        assert_eq!(cure("2_u8").as_deref(), Some("2_i32"));
+        assert_eq!(cure("2.5_f32").as_deref(), Some("2.5_f64"));
+        assert_eq!(cure("1f32").as_deref(), Some("1_f64"));
+        assert_eq!(cure("2147483648").as_deref(), Some("2147483648.0"));
+        for text in ["2a", "0b1f64", "2.0_i32", "'a'"] {
             assert_eq!(parse(text), Err(Fault::Literal), "{text}");
         }
     }

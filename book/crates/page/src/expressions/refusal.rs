@@ -1,6 +1,6 @@
 //! What readers are told about a line that can't be drawn.
 
-use crate::expressions::value::describe_type;
+use crate::expressions::value::{capitalise, describe_type};
 use course::ValueType;
 use std::ops::Range;
 use thiserror::Error;
@@ -35,7 +35,7 @@ pub enum Fault {
          <=, std::f64::consts::PI."
     )]
     UnreadableSign(char),
-    #[error("This comment hides the rest of the line: write /* … */.")]
+    #[error("This comment would hide what follows in the listing's row: write /* … */.")]
     LineComment,
     #[error("Rust reads <- as one sign: put a blank after the <.")]
     LeftArrow,
@@ -53,8 +53,12 @@ pub enum Fault {
     Unreadable,
     #[error("Rust compares two at a time: a < b && b < c.")]
     ComparisonChain,
-    #[error("Statements need a block: {{ let x = 1.0; 2.0 * x }}.")]
+    #[error("Here, let needs a block around it: {{ let x = 1.0; 2.0 * x }}.")]
     Statement,
+    #[error("Leave out the ; here: what ends in a ; is a statement, and has no value.")]
+    Semicolon,
+    #[error("The line has to be one value: leave out the ;, and what is before or behind it.")]
+    TwoStatements,
     #[error("A value is missing behind this.")]
     MissingBehind,
     #[error("Something is missing before this, such as a value, * or +.")]
@@ -64,13 +68,25 @@ pub enum Fault {
     #[error("Leave out the &.")]
     Reference,
     #[error("For =, Rust has == to compare.")]
-    Assignment,
+    Comparison,
+    #[error("This gives {left} a new value, but the line itself has to be a value. Write {cure}.")]
+    Assignment { left: String, cure: String },
+    #[error("{0} changes a value, but the line itself has to be a value. Leave out the =.")]
+    CompoundAssignment(String),
+    #[error("A page can't change a value. Give the new one a name of its own, with let.")]
+    Reassignment,
     #[error("This if needs an else {{ … }}: what is the value otherwise?")]
     MissingElse,
-    #[error("A block here has let x = …; and a value at its end.")]
+    #[error("In a block, a page knows let x = …; and a value at the end, nothing else.")]
     Block,
+    #[error("This block needs a value at its end, without a ; behind it.")]
+    BlockWithoutValue,
+    #[error("A page knows no other types than f64, DVec3, i32, bool and [f64; 3].")]
+    TypeName,
     #[error("Take another name here, in small letters.")]
     Name,
+    #[error("{0} is taken, and a page can't give a name twice. Take another.")]
+    TakenName(String),
     #[error("Put parentheses around the block at the beginning.")]
     BlockAtStart,
     #[error("It stands behind a &&: put parentheses around it.")]
@@ -80,14 +96,22 @@ pub enum Fault {
          three numbers, vectors and their methods."
     )]
     Unsupported,
+    #[error("A page can't draw with match. Write if … {{ … }} else {{ … }}.")]
+    Match,
 
     // Faults in the types.
     #[error("That's beyond an f64.")]
     BeyondF64,
-    #[error("Rust has no such f64 or i32; or is a * missing?")]
+    #[error("Rust can't read this as a number. Is a * missing?")]
     Literal,
+    #[error("That's beyond an i32. Write {cure}.")]
+    BeyondI32 { cure: String },
+    #[error("The numbers here are f64 and i32. Write {cure}.")]
+    Suffix { cure: String },
     #[error("Rust can't tell yet which kind of number this is: write _f64 behind it.")]
     OpenValue,
+    #[error("Rust can't tell yet which kind of number this is: write {cure}.")]
+    OpenLiteral { cure: String },
     #[error("Rust can't tell yet which kind of number this is: write 2.0_f64 for 2.0.")]
     OpenReceiver,
     #[error("Write {cure}: Rust doesn't mix whole numbers with others.")]
@@ -100,20 +124,44 @@ pub enum Fault {
     NoVectors,
     #[error("For powers, Rust has .powi(2) or .powf(0.5).")]
     Caret,
-    #[error("An array here has three numbers, [0], [1] and [2].")]
+    #[error("Between these brackets, there is 0, 1 or 2.")]
     Index,
+    #[error("An array here has three numbers.")]
+    ArrayLength,
     #[error("Behind as, there is f64 or i32.")]
     Cast,
     #[error("A page can't draw with {0}.")]
     Operator(String),
-    #[error("{0} takes other values, or more or fewer.")]
-    OtherValues(String),
-    #[error("In Rust, it's a method: {0}.")]
-    Method(String),
+    #[error("{name} takes {wanted}, and here {actual}.")]
+    Count { name: String, wanted: String, actual: String },
+    #[error("It's a value, not a function: write {cure}.")]
+    NoFunction { cure: String },
+    #[error("In Rust, it's a method: {cure}.")]
+    Method { cure: String },
+    #[error("Rust writes it {cure}.")]
+    Function { cure: String },
+    #[error("It's a field, not a method: write {cure}.")]
+    Field { cure: String },
+    #[error("It's a method, not a field: write {cure}.")]
+    MissingParentheses { cure: String },
+    #[error("A page can't read .into(). Write {cure}.")]
+    Into { cure: String },
+    #[error("{name} isn't known here, but {near} is.")]
+    NearName { name: String, near: String },
+    #[error(
+        "{} has no {name}. {} has it.",
+        capitalise(describe_type(*.receiver)),
+        capitalise(describe_type(*.owner))
+    )]
+    OtherReceiver { name: String, owner: ValueType, receiver: ValueType },
     #[error("{name} isn't known here. Of {}, there is:\n{members}", describe_type(*.receiver))]
     UnknownMember { name: String, receiver: ValueType, members: String },
     #[error("{name} isn't known here. {cure}")]
     UnknownName { name: String, cure: String },
+    #[error("{name} is no number or vector by itself. {cure}")]
+    PartOfName { name: String, cure: String },
+    #[error("A page can't draw with {name}. {cure}")]
+    UnknownCall { name: String, cure: String },
 
     // Faults while the program draws.
     #[error("Here your program would stop: there is no result, or none that fits its type.")]
@@ -122,4 +170,28 @@ pub enum Fault {
     Assertion(&'static str),
     #[error("That takes longer than a page should.")]
     OutOfOperations,
+}
+
+impl Fault {
+    /// The code that its sentence offers in place of the wrong part of the line.
+    pub fn cure(&self) -> Option<&str> {
+        let cure = match self {
+            Fault::Assignment { cure, .. }
+            | Fault::BeyondI32 { cure }
+            | Fault::Field { cure }
+            | Fault::Function { cure }
+            | Fault::Into { cure }
+            | Fault::Method { cure }
+            | Fault::MissingParentheses { cure }
+            | Fault::NearName { near: cure, .. }
+            | Fault::NoFunction { cure }
+            | Fault::OpenLiteral { cure }
+            | Fault::Suffix { cure }
+            | Fault::WholeNumber { cure } => cure,
+            Fault::Reference | Fault::Semicolon => "",
+            _ => return None,
+        };
+        // The reader fills in what … stands for.
+        (!cure.contains('…')).then_some(cure)
+    }
 }

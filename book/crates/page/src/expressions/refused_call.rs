@@ -1,106 +1,430 @@
 //! Explains why a function can't be called, or why a value has the wrong type.
 
-use crate::expressions::functions::{find_function, functions, is_known};
+use crate::expressions::compiler::Compiler;
+use crate::expressions::functions::{Function, find_function, functions, is_known};
+use crate::expressions::near_name::{find_near_name, synonyms};
+use crate::expressions::operation::{range_of, write_tokens};
 use crate::expressions::part::Part;
 use crate::expressions::refusal::{Fault, Refusal};
-use course::{Place, ValueType};
+use crate::expressions::statements::is_assignment;
+use crate::expressions::value::{count_values, describe_types};
+use course::ValueType;
 use std::collections::BTreeSet;
+use std::iter::once;
 use std::ops::Range;
+use syn::Expr;
 
 /// Associated functions that aren't methods.
-const NO_METHODS: [&str; 3] = ["from", "new", "splat"];
+const NO_METHODS: [&str; 4] = ["from", "from_array", "new", "splat"];
 
 /// Explains why a value doesn't fit where another type is wanted. `subject` begins the sentence.
 pub fn explain_mismatch(subject: &str, part: &Part, text: &str, wanted: ValueType) -> Fault {
-    use ValueType::{Bool, F64, I32, Vector};
+    use ValueType::{Array, Bool, F64, I32, Vector};
     let (actual, text) = (part.value_type, &text[part.range.clone()]);
     let cure = match (actual, wanted) {
         (I32, F64 | Vector) => {
-            let is_literal = text.parse::<i32>().is_ok();
-            let cure = if is_literal { format!("{text}.0") } else { format!("f64::from({text})") };
+            let is_literal = text.bytes().all(|byte| byte.is_ascii_digit() || byte == b'_');
+            let cure = match is_literal {
+                true => format!("{text}.0"),
+                false => format!("f64::from{}", in_parentheses(text)),
+            };
             return Fault::WholeNumber { cure };
         }
         (_, Bool) => " Compare something, as in a < b.",
         (Bool, F64) => " f64::from(a < b) is a number, 1 or 0.",
+        (Bool, Vector) => " if a < b { DVec3::X } else { DVec3::Y } makes a vector of it.",
         (Vector, F64) => " a.dot(b) makes a number of two vectors.",
         (F64, Vector) => " DVec3::splat(…) makes a vector of it.",
-        (F64, I32) => " Write 2, or take .powf.",
+        (Array, Vector) => " DVec3::from(…) makes a vector of it.",
+        (F64, I32) if subject.starts_with(".powi") => " Write 2, or take .powf.",
+        (F64, I32) => " as i32 makes one of it, without its fraction.",
         _ => "",
     };
     Fault::Mismatch { subject: subject.to_owned(), wanted, actual, cure }
 }
 
-/// Explains why the function named at range `sign` can't be called with these arguments, and which
-/// range of the line to mark.
-pub fn explain_refused_call(
-    name: &str,
-    sign: Range<usize>,
-    parts: &[Part],
-    place: &Place,
-    text: &str,
-) -> Refusal {
-    let shown_name = &text[sign.clone()];
-    let types: Vec<_> = parts.iter().map(|part| part.value_type).collect();
-    for value_type in ValueType::ALL {
-        for (index, part) in parts.iter().enumerate().rev() {
-            let mut other_types = types.clone();
-            other_types[index] = value_type;
-            if find_function(name, &other_types).is_some() {
-                let subject = format!("{shown_name} takes");
-                let fault = explain_mismatch(&subject, part, text, value_type);
-                return Refusal { range: part.range.clone(), fault };
+/// Whether a method of values of this type has this name.
+pub fn is_method(receiver: ValueType, name: &str) -> bool {
+    !NO_METHODS.contains(&name) && is_known(&format!("{}::{name}", receiver.name()))
+}
+
+/// The fields and methods of a type, under their names.
+fn members(receiver: ValueType) -> impl Iterator<Item = (&'static str, &'static Function)> {
+    functions().filter_map(move |function| {
+        let member = function.name.strip_prefix(receiver.name())?;
+        let name = member.strip_prefix('.').or_else(|| {
+            let name = member.strip_prefix("::")?;
+            (name.starts_with(char::is_lowercase) && is_method(receiver, name)).then_some(name)
+        })?;
+        Some((name, function))
+    })
+}
+
+/// A field as a line has it, such as `x`, or a method, such as `length()` or `dot(…)`.
+fn write_member((name, function): (&str, &Function)) -> String {
+    match function.parameters {
+        _ if function.name.contains('.') => name.to_owned(),
+        [_] => format!("{name}()"),
+        _ => format!("{name}(…)"),
+    }
+}
+
+/// An expression in parentheses, which it may have already.
+fn in_parentheses(text: &str) -> String {
+    let has_them = matches!(syn::parse_str(text), Ok(Expr::Paren(_)));
+    if has_them { text.to_owned() } else { format!("({text})") }
+}
+
+/// Whether a method can be called on this expression without parentheses around it.
+fn is_atomic(text: &str) -> bool {
+    matches!(
+        syn::parse_str(text),
+        Ok(Expr::Array(_)
+            | Expr::Call(_)
+            | Expr::Field(_)
+            | Expr::Index(_)
+            | Expr::Lit(_)
+            | Expr::MethodCall(_)
+            | Expr::Paren(_)
+            | Expr::Path(_))
+    )
+}
+
+/// Whether two chains such as `sphere.centre` differ by a letter or two in a word.
+fn is_near_chain(name: &str, known: &str) -> bool {
+    let is_near = |(word, known): (&str, &str)| find_near_name(word, once(known)).is_some();
+    name.matches('.').count() == known.matches('.').count()
+        && name.split('.').zip(known.split('.')).all(|words| words.0 == words.1 || is_near(words))
+}
+
+impl Compiler<'_> {
+    /// Explains why the function named at range `sign` can't be called with these arguments, and
+    /// which range of the line to mark.
+    pub fn explain_refused_call(
+        &self,
+        syntax: &Expr,
+        name: &str,
+        sign: Range<usize>,
+        parts: &[Part],
+    ) -> Refusal {
+        let text_of = |range: &Range<usize>| &self.text[range.clone()];
+        let shown_name = text_of(&sign).to_owned();
+        let types: Vec<_> = parts.iter().map(|part| part.value_type).collect();
+        let explain_part = |part: &Part, wanted| {
+            let fault = explain_mismatch(&format!("{shown_name} takes"), part, self.text, wanted);
+            Refusal { range: part.range.clone(), fault }
+        };
+        let is_member = matches!(syntax, Expr::Field(_) | Expr::MethodCall(_));
+        let member = name.rsplit(['.', ':']).next().unwrap_or_default();
+        if is_member && !members(types[0]).any(|(known, _)| known == member) {
+            return self.explain_unknown_member(syntax, member, sign, parts);
+        }
+        let mut wanted_types = ValueType::ALL;
+        if types.contains(&ValueType::Array) {
+            // An array is nearly a vector.
+            wanted_types.sort_by_key(|value_type| *value_type != ValueType::Vector);
+        }
+        for value_type in wanted_types {
+            for (index, part) in parts.iter().enumerate().rev() {
+                let mut other_types = types.clone();
+                other_types[index] = value_type;
+                if find_function(name, &other_types).is_some() {
+                    return explain_part(part, value_type);
+                }
+            }
+        }
+        let fault = match name {
+            "^" => Fault::Caret,
+            "[…]" if parts.len() != 3 => Fault::ArrayLength,
+            _ if name.ends_with(']') && matches!(syntax, Expr::Index(_)) => Fault::Index,
+            _ if name.starts_with("as ") => Fault::Cast,
+            _ if is_member => return self.explain_refused_member(syntax, member, sign, parts),
+            _ => match functions().find(|function| function.name == name) {
+                Some(Function { parameters: [], .. }) => {
+                    let range = range_of(syntax);
+                    return Refusal { range, fault: Fault::NoFunction { cure: shown_name } };
+                }
+                Some(Function { parameters, .. }) if parameters.len() == parts.len() => {
+                    let mut pairs = parts.iter().zip(*parameters);
+                    match pairs.find(|(part, wanted)| part.value_type != **wanted) {
+                        Some((part, wanted)) => return explain_part(part, *wanted),
+                        None => Fault::Unsupported,
+                    }
+                }
+                Some(Function { parameters, .. }) => {
+                    let wanted = describe_types(parameters);
+                    Fault::Count { name: shown_name, wanted, actual: count_values(parts.len()) }
+                }
+                None if name.contains(char::is_alphanumeric) => {
+                    return self.explain_unknown_name(syntax, name, sign, parts);
+                }
+                None if matches!(syntax, Expr::Binary(binary) if is_assignment(&binary.op)) => {
+                    Fault::CompoundAssignment(name.to_owned())
+                }
+                None => Fault::Operator(name.to_owned()),
+            },
+        };
+        Refusal { range: sign, fault }
+    }
+
+    /// Explains why a member that the value does have can't be used in this way.
+    fn explain_refused_member(
+        &self,
+        syntax: &Expr,
+        member: &str,
+        sign: Range<usize>,
+        parts: &[Part],
+    ) -> Refusal {
+        let range = sign.start..range_of(syntax).end;
+        let [receiver, others @ ..] = parts else {
+            return Refusal { range, fault: Fault::Unsupported };
+        };
+        let receiver = receiver.value_type;
+        let methods = || members(receiver).filter(|(name, _)| *name == member);
+        let parameters = methods().map(|(_, function)| &function.parameters[1..]);
+        let parameters: Vec<_> = parameters.collect();
+        match syntax {
+            Expr::MethodCall(_) if !is_method(receiver, member) => {
+                Refusal { range, fault: Fault::Field { cure: format!(".{member}") } }
+            }
+            Expr::Field(_) if parameters.contains(&&[][..]) => {
+                Refusal { range, fault: Fault::MissingParentheses { cure: format!(".{member}()") } }
+            }
+            _ => {
+                let same_count = parameters.iter().find(|wanted| wanted.len() == others.len());
+                let mismatch = same_count.and_then(|wanted| {
+                    let mut pairs = others.iter().zip(*wanted);
+                    pairs.find(|(part, wanted)| part.value_type != **wanted)
+                });
+                let name = self.text[sign.clone()].to_owned();
+                match mismatch {
+                    Some((part, wanted)) => {
+                        let subject = format!("{name} takes");
+                        let fault = explain_mismatch(&subject, part, self.text, *wanted);
+                        Refusal { range: part.range.clone(), fault }
+                    }
+                    None => {
+                        let wanted = describe_types(parameters.first().unwrap_or(&&[][..]));
+                        let actual = count_values(others.len());
+                        Refusal { range: sign, fault: Fault::Count { name, wanted, actual } }
+                    }
+                }
             }
         }
     }
-    let fault = match name {
-        "^" => Fault::Caret,
-        _ if name.starts_with('[') => Fault::Index,
-        _ if name.starts_with("as ") => Fault::Cast,
-        _ if is_known(name) => Fault::OtherValues(shown_name.to_owned()),
-        _ if shown_name.starts_with('.') => explain_unknown_member(shown_name, types[0]),
-        _ if name.contains(char::is_alphanumeric) => explain_unknown_name(name, parts, place, text),
-        _ => Fault::Operator(name.to_owned()),
-    };
-    Refusal { range: sign, fault }
-}
 
-/// Explains that a name is unknown, and lists the known ones. If the name is called, `parts` are
-/// its arguments.
-fn explain_unknown_name(name: &str, parts: &[Part], place: &Place, text: &str) -> Fault {
-    let last = name.rsplit("::").next().unwrap_or_default().to_ascii_lowercase();
-    if let [first, others @ ..] = parts
-        && is_known(&format!("{}::{last}", first.value_type.name()))
-    {
-        let (first, dots) = (&text[first.range.clone()], if others.is_empty() { "" } else { "…" });
-        return Fault::Method(format!("{first}.{last}({dots})"));
-    }
-    let cure = match &*last {
-        "pi" => "Rust's π is std::f64::consts::PI.",
-        _ if last.contains("vec3") => "DVec3::new(1.0, 0.0, 0.5) is a vector.",
-        _ => {
-            let variables = place.variables.iter().map(|(name, _)| *name);
-            &format!("These are:\n{}", variables.collect::<Vec<_>>().join(", "))
+    /// Says that a value has no such field or method, and offers the one that is nearly right, or
+    /// lists those that it has.
+    fn explain_unknown_member(
+        &self,
+        syntax: &Expr,
+        member: &str,
+        sign: Range<usize>,
+        parts: &[Part],
+    ) -> Refusal {
+        let receiver = &parts[0];
+        let (text, value_type) = (&self.text[receiver.range.clone()], receiver.value_type);
+        if member == "into" && parts.len() == 1 && matches!(syntax, Expr::MethodCall(_)) {
+            let cure = match value_type {
+                ValueType::Array => format!("DVec3::from{}", in_parentheses(text)),
+                ValueType::I32 | ValueType::Bool => format!("f64::from{}", in_parentheses(text)),
+                ValueType::F64 | ValueType::Vector => text.to_owned(),
+            };
+            return Refusal { range: range_of(syntax), fault: Fault::Into { cure } };
         }
-    };
-    // For example, the `sphere` in `sphere.centre`.
-    let is_known_in_part = place
-        .variables
-        .iter()
-        .any(|(known, _)| known.strip_prefix(name).is_some_and(|rest| rest.starts_with('.')));
-    let alone = if is_known_in_part { " alone" } else { "" };
-    Fault::UnknownName { name: format!("{name}{alone}"), cure: cure.to_owned() }
-}
+        let name = format!(".{member}");
+        let mut candidates = synonyms(member).into_iter().filter(|name| {
+            let types = parts.iter().map(|part| part.value_type).collect::<Vec<_>>();
+            find_function(&format!("{}::{name}", value_type.name()), &types).is_some()
+                && is_method(value_type, name)
+        });
+        let near = candidates.next().or_else(|| {
+            let names = members(value_type).map(|(name, _)| name);
+            find_near_name(member, names).map(str::to_owned)
+        });
+        let near = near.and_then(|near| members(value_type).find(|(known, _)| *known == near));
+        if let Some(near) = near {
+            let (end, near) = match syntax {
+                // The parentheses are there.
+                Expr::MethodCall(_) if is_method(value_type, near.0) => {
+                    (sign.end, near.0.to_owned())
+                }
+                _ => (range_of(syntax).end, write_member(near)),
+            };
+            let fault = Fault::NearName { name, near: format!(".{near}") };
+            return Refusal { range: sign.start..end, fault };
+        }
+        let owner = ValueType::ALL.into_iter().find(|value_type| {
+            *value_type != receiver.value_type
+                && members(*value_type).any(|(known, _)| known == member)
+        });
+        let fault = match owner {
+            Some(owner) => Fault::OtherReceiver { name, owner, receiver: value_type },
+            None => {
+                let members = members(value_type).map(write_member);
+                let members: Vec<_> = members.collect::<BTreeSet<_>>().into_iter().collect();
+                Fault::UnknownMember { name, receiver: value_type, members: members.join(", ") }
+            }
+        };
+        Refusal { range: sign, fault }
+    }
 
-/// Explains that a value has no such field or method, and lists those that it has.
-fn explain_unknown_member(shown_name: &str, receiver: ValueType) -> Fault {
-    let members = functions().filter_map(|function| {
-        let member = function.name.strip_prefix(receiver.name())?;
-        member.strip_prefix('.').map(str::to_owned).or_else(|| {
-            let name = member.strip_prefix("::")?;
-            let is_method = name.starts_with(char::is_lowercase) && !NO_METHODS.contains(&name);
-            is_method.then(|| format!("{name}()"))
+    /// Says that there is no such name, and offers the one that is nearly right, or lists those that
+    /// there are. The name may be called with parts.
+    fn explain_unknown_name(
+        &self,
+        syntax: &Expr,
+        name: &str,
+        sign: Range<usize>,
+        parts: &[Part],
+    ) -> Refusal {
+        if let Some(cure) = self.write_as_method(name, parts) {
+            let is_open = parts[0].is_open;
+            let fault = if is_open { Fault::Function { cure } } else { Fault::Method { cure } };
+            return Refusal { range: range_of(syntax), fault };
+        }
+        let fault = match self.find_near_path(name) {
+            Some(near) => Fault::NearName { name: name.to_owned(), near },
+            None if name.to_ascii_lowercase().contains("vec3") && !self.place.has_vectors => {
+                Fault::NoVectors
+            }
+            None if name.to_ascii_lowercase().contains("vec3") => {
+                let cure = "DVec3::new(1.0, 0.0, 0.5) is a vector.".to_owned();
+                Fault::UnknownName { name: name.to_owned(), cure }
+            }
+            None => {
+                let variables = self.place.variables.iter().map(|(name, _)| *name);
+                let cure = format!("These are:\n{}", variables.collect::<Vec<_>>().join(", "));
+                Fault::UnknownName { name: name.to_owned(), cure }
+            }
+        };
+        Refusal { range: sign, fault }
+    }
+
+    /// A call such as `sqrt(d)` as Rust has it, if a method of the first part has this name.
+    fn write_as_method(&self, name: &str, parts: &[Part]) -> Option<String> {
+        let last = name.rsplit("::").next().unwrap_or_default();
+        let (first, others) = parts.split_first()?;
+        let value_type = first.value_type.name();
+        let types: Vec<_> = parts.iter().map(|part| part.value_type).collect();
+        let mut methods = synonyms(last);
+        methods.retain(|method| is_method(first.value_type, method));
+        let fits = |method: &&String| find_function(&format!("{value_type}::{method}"), &types);
+        let method = methods.iter().find(|method| fits(method).is_some());
+        let texts = others.iter().map(|part| &self.text[part.range.clone()]);
+        let others = match method {
+            Some(_) => texts.collect::<Vec<_>>().join(", "),
+            None => "…".to_owned(),
+        };
+        let method = method.or(methods.first())?;
+        let text = &self.text[first.range.clone()];
+        Some(if first.is_open {
+            // A literal such as 2.0 has no methods, because Rust doesn't know its type yet.
+            let comma = if others.is_empty() { "" } else { ", " };
+            format!("{value_type}::{method}({text}{comma}{others})")
+        } else if is_atomic(text) {
+            format!("{text}.{method}({others})")
+        } else {
+            format!("({text}).{method}({others})")
         })
-    });
-    let members: Vec<_> = members.collect::<BTreeSet<_>>().into_iter().collect();
-    Fault::UnknownMember { name: shown_name.to_owned(), receiver, members: members.join(", ") }
+    }
+
+    /// The name of a value or the path of a function that is most like `name`.
+    fn find_near_path(&self, name: &str) -> Option<String> {
+        let variables = || self.names.iter().map(|(known, _)| &**known);
+        let converted = format!("f64::from({name})");
+        let variable = variables().find(|known| *known == converted);
+        if let Some(variable) = variable.or_else(|| find_near_name(name, variables())) {
+            return Some(self.write_name(variable));
+        }
+        let is_here = |path: &&str| self.place.has_vectors || !path.starts_with("DVec3");
+        let paths = functions().map(|function| function.name).filter(|path| path.contains("::"));
+        let paths: Vec<_> = paths.filter(is_here).collect();
+        // Such as the PI of std::f64::consts::PI.
+        let last = |path: &str| path.rsplit("::").next().unwrap_or_default().to_ascii_lowercase();
+        let find_last = |wanted: &str| {
+            let mut paths = paths.iter().filter(|path| last(path) == wanted);
+            // `DVec3::normalise` is rather of DVec3 than of f64.
+            let owner = name.split("::").next().unwrap_or_default();
+            let own = paths.clone().find(|path| path.starts_with(owner));
+            own.or_else(|| paths.next()).map(|path| (*path).to_owned())
+        };
+        let word = last(name);
+        let same = (name.len() > 1).then(|| find_last(&word)).flatten();
+        same.or_else(|| {
+            let lasts: Vec<_> = paths.iter().map(|path| last(path)).collect();
+            find_last(find_near_name(&word, lasts.iter().map(|last| &**last))?)
+        })
+    }
+
+    /// A name of the place as places.txt has it, with its blanks.
+    fn write_name(&self, known: &str) -> String {
+        let variables = self.place.variables.iter().map(|(name, _)| *name);
+        let mut names =
+            variables.filter(|name| name.split_whitespace().collect::<String>() == known);
+        names.next().unwrap_or(known).to_owned()
+    }
+
+    /// Refuses a chain such as `hit.object.name`, which begins like names of the place but isn't
+    /// one of them.
+    pub fn refuse_unknown_chain(&self, syntax: &Expr) -> Option<Refusal> {
+        let mut links = vec![syntax];
+        while let Some(inner) = links.last().and_then(|link| match link {
+            Expr::Field(field) => Some(&*field.base),
+            Expr::MethodCall(call) => Some(&*call.receiver),
+            _ => None,
+        }) {
+            links.push(inner);
+        }
+        let is_name = |name: &str| self.names.iter().any(|(known, _)| *known == name);
+        let is_start = |name: &str| {
+            let rest = |(known, _): &(String, _)| known.strip_prefix(name).map(str::to_owned);
+            self.names.iter().any(|known| rest(known).is_some_and(|rest| rest.starts_with('.')))
+        };
+        let names: Vec<_> = links.iter().map(|link| write_tokens(*link)).collect();
+        let root = names.last()?;
+        if !is_start(root) || names.iter().any(|name| is_name(name)) {
+            return None;
+        }
+        let variables = || self.names.iter().map(|(known, _)| &**known);
+        let near = links.iter().zip(&names).find_map(|(link, name)| {
+            let near = self.write_name(variables().find(|known| is_near_chain(name, known))?);
+            let range = range_of(*link);
+            let name = self.text[range.clone()].to_owned();
+            Some((range, Fault::NearName { name, near }))
+        });
+        let (range, fault) = near.unwrap_or_else(|| {
+            let index = names.iter().rposition(|name| !is_start(name)).unwrap_or(0);
+            let range = range_of(links[index]);
+            let name = self.text[range.clone()].to_owned();
+            let start = format!("{root}.");
+            let known = variables().filter(|known| known.starts_with(&start));
+            let known: Vec<_> = known.map(|known| self.write_name(known)).collect();
+            let cure = format!("Of {root}, there is:\n{}", known.join(", "));
+            let fault = match links[index] {
+                _ if is_start(&names[index]) => Fault::PartOfName { name, cure },
+                Expr::MethodCall(_) => Fault::UnknownCall { name, cure },
+                _ => Fault::UnknownName { name, cure },
+            };
+            (range, fault)
+        });
+        Some(Refusal { range, fault })
+    }
+
+    /// Refuses the call of an unknown function with something that is no value by itself, such as
+    /// `direction_colour(ray)`: then it is the function that is unknown.
+    pub fn refuse_unknown_function(&self, syntax: &Expr) -> Option<Refusal> {
+        let Expr::Call(call) = syntax else { return None };
+        let name = write_tokens(&call.func);
+        let last = name.rsplit("::").next().unwrap_or_default();
+        let is_method =
+            |name: &String| ValueType::ALL.into_iter().any(|kind| is_method(kind, name));
+        if is_known(&name) || synonyms(last).iter().any(is_method) {
+            return None;
+        }
+        let mut arguments = call.args.iter();
+        let has_no_value = call.args.is_empty()
+            || arguments.any(|argument| self.refuse_unknown_chain(argument).is_some());
+        has_no_value.then(|| self.explain_unknown_name(syntax, &name, range_of(&call.func), &[]))
+    }
 }

@@ -2,15 +2,35 @@
 
 use crate::expressions::compiler::Compiler;
 use crate::expressions::evaluation::Run;
-use crate::expressions::operation::range_of;
+use crate::expressions::operation::{range_of, write_tokens};
 use crate::expressions::part::Part;
 use crate::expressions::refusal::{Fault, Refusal, refuse};
 use crate::expressions::refused_call::explain_mismatch;
 use crate::expressions::value::Value;
 use course::ValueType;
+use quote::ToTokens;
 use std::ops::Range;
 use std::rc::Rc;
-use syn::{ExprIf, Ident, LocalInit, Pat, PatIdent, Stmt};
+use syn::{BinOp, Expr, ExprAssign, ExprIf, Ident, LocalInit, Pat, PatIdent, Stmt, Type};
+
+/// Whether an operator such as += changes its left operand.
+pub fn is_assignment(operator: &BinOp) -> bool {
+    let sign = write_tokens(operator);
+    sign.ends_with('=') && !["==", "!=", "<=", ">="].contains(&&*sign)
+}
+
+/// The expression that gives a block or the first branch of an `if` its value, without the braces.
+fn value_of(syntax: &Expr) -> &Expr {
+    let statements = match syntax {
+        Expr::Block(block) => &block.block.stmts,
+        Expr::If(branches) => &branches.then_branch.stmts,
+        _ => return syntax,
+    };
+    match statements.last() {
+        Some(Stmt::Expr(value, None)) => value_of(value),
+        _ => syntax,
+    }
+}
 
 impl Compiler<'_> {
     /// Compiles an `if`.
@@ -18,10 +38,13 @@ impl Compiler<'_> {
         let Some((_, other)) = &branches.else_branch else {
             return refuse(range_of(&branches.if_token), Fault::MissingElse);
         };
+        if let Expr::Assign(assignment) = &*branches.cond {
+            return refuse(range_of(&assignment.eq_token), Fault::Comparison);
+        }
         let condition = self.compile_expression(&branches.cond)?;
         let then = &branches.then_branch;
         let then = self.compile_statements(&then.stmts, range_of(then))?;
-        let other = self.compile_expression(other)?;
+        let other = Part { range: range_of(value_of(other)), ..self.compile_expression(other)? };
         for (part, wanted) in [(&condition, ValueType::Bool), (&other, then.value_type)] {
             if part.value_type != wanted {
                 let fault = explain_mismatch("if takes", part, self.text, wanted);
@@ -56,16 +79,34 @@ impl Compiler<'_> {
         let (local, rest) = match statements {
             [Stmt::Expr(value, None)] => return self.compile_expression(value),
             [Stmt::Local(local), rest @ ..] => (local, rest),
+            [] => return refuse(range, Fault::BlockWithoutValue),
+            [Stmt::Expr(Expr::Assign(assignment), _), ..] => {
+                return refuse(range_of(&assignment.eq_token), Fault::Reassignment);
+            }
+            [Stmt::Expr(Expr::Binary(binary), _), ..] if is_assignment(&binary.op) => {
+                return refuse(range_of(&binary.op), Fault::Reassignment);
+            }
+            [Stmt::Expr(_, Some(semicolon))] => {
+                return refuse(range_of(semicolon), Fault::Semicolon);
+            }
             _ => return refuse(range, Fault::Block),
+        };
+        let (pattern, type_name) = match &local.pat {
+            Pat::Type(typed) => (&*typed.pat, Some(&*typed.ty)),
+            pattern => (pattern, None),
         };
         let (
             Pat::Ident(PatIdent { ident, by_ref: None, subpat: None, .. }),
             Some(LocalInit { expr, diverge: None, .. }),
-        ) = (&local.pat, &local.init)
+        ) = (pattern, &local.init)
         else {
             return refuse(range, Fault::Block);
         };
-        let value = self.compile_expression(expr)?;
+        let mut value = self.compile_expression(expr)?;
+        if let Some(type_name) = type_name {
+            self.check_type(ident, type_name, &value)?;
+            value.is_open = false;
+        }
         let is_constant = value.constant_value().is_some();
         let named_part = match is_constant {
             true => value.clone(),
@@ -88,17 +129,66 @@ impl Compiler<'_> {
         Ok(Part { run, ..part })
     }
 
+    /// Refuses a value whose type isn't the one that `let` names.
+    fn check_type(&self, ident: &Ident, type_name: &Type, value: &Part) -> Result<(), Refusal> {
+        let name = type_name.to_token_stream().to_string().replace(' ', "").replace(';', "; ");
+        let Some(wanted) = ValueType::from_name(&name) else {
+            return refuse(range_of(type_name), Fault::TypeName);
+        };
+        if wanted == ValueType::Vector && !self.place.has_vectors {
+            return refuse(range_of(type_name), Fault::NoVectors);
+        }
+        if value.value_type != wanted {
+            let subject = format!("{ident} has to be");
+            let fault = explain_mismatch(&subject, value, self.text, wanted);
+            return refuse(value.range.clone(), fault);
+        }
+        Ok(())
+    }
+
+    /// Refuses an assignment, which has no value.
+    pub fn refuse_assignment(&mut self, assignment: &ExprAssign) -> Refusal {
+        let value = match self.compile_expression(&assignment.right) {
+            Ok(value) => value,
+            Err(refusal) => return refusal,
+        };
+        let range = range_of(assignment);
+        let sign = range_of(&assignment.eq_token);
+        if self.place.value_type == ValueType::Bool {
+            return Refusal { range: sign, fault: Fault::Comparison };
+        }
+        let [left, right] = [&assignment.left, &assignment.right].map(range_of);
+        let right_text = &self.text[right];
+        // Such as v.with_x(1.0) for v.x = 1.0.
+        let with_field = match (&*assignment.left, self.place.value_type) {
+            (Expr::Field(field), ValueType::Vector) => {
+                let base = self.compile_expression(&field.base).ok();
+                let is_vector = base.is_some_and(|base| base.value_type == ValueType::Vector);
+                let is_number = value.value_type == ValueType::F64;
+                let name = write_tokens(&field.member);
+                let is_field = ["x", "y", "z"].contains(&&*name);
+                let base = &self.text[range_of(&field.base)];
+                (is_vector && is_number && is_field)
+                    .then(|| format!("{base}.with_{name}({right_text})"))
+            }
+            _ => None,
+        };
+        let cure = with_field.unwrap_or_else(|| right_text.to_owned());
+        let left = self.text[left].to_owned();
+        Refusal { range, fault: Fault::Assignment { left, cure } }
+    }
+
     /// Adds a name that `let` gives to a part. Refuses a name that is taken, reserved or
     /// capitalised.
     fn add_name(&mut self, ident: &Ident, part: Part) -> Result<(), Refusal> {
         let name = ident.to_string();
         let is_end = |sign: char| !sign.is_alphanumeric() && sign != '_';
         let mut firsts = self.names.iter().map(|(known, _)| known.split(is_end).next());
-        if firsts.any(|first| first == Some(&name))
-            || ["self", "gen"].contains(&&*name)
-            || name.starts_with(char::is_uppercase)
-        {
+        if ["self", "gen"].contains(&&*name) || name.starts_with(char::is_uppercase) {
             return refuse(range_of(ident), Fault::Name);
+        }
+        if firsts.any(|first| first == Some(&name)) {
+            return refuse(range_of(ident), Fault::TakenName(name));
         }
         self.names.push((name, part));
         Ok(())

@@ -1,26 +1,59 @@
 //! Parses a line with `syn`, and explains in plain words what `syn` can't parse.
 
 use crate::expressions::refusal::{Fault, Refusal, refuse};
+use course::{Place, PlaceNote};
 use std::ops::Range;
-use syn::Expr;
+use syn::parse::Parser;
+use syn::{Block, Stmt};
 
 /// The maximum length of a line, in bytes. However deeply such a line is nested, it can't overflow
 /// a page's stack.
 const MAX_LENGTH: usize = 250;
 
-/// Parses a line as an expression.
-pub fn parse_syntax(text: &str) -> Result<Expr, Refusal> {
-    check_signs(text)?;
+/// Parses a line: an expression, or, at the end of a block, statements with a value behind them.
+pub fn parse_syntax(place: &Place, text: &str) -> Result<Vec<Stmt>, Refusal> {
+    let has_note = |note| place.notes.contains(&note);
+    let ends_block = has_note(PlaceNote::EndsBlock);
+    check_signs(text, ends_block || has_note(PlaceNote::EndsRow))?;
     // Otherwise, every line ever parsed would stay in memory.
     proc_macro2::extra::invalidate_current_thread_spans();
-    syn::parse_str(text).map_err(|error| {
-        let range = error.span().byte_range();
-        explain_syntax_error(text, range, &error.to_string())
-    })
+    let error = match syn::parse_str(text) {
+        Ok(syntax) => return Ok(vec![Stmt::Expr(syntax, None)]),
+        Err(error) => error,
+    };
+    let refusal = explain_syntax_error(text, error.span().byte_range(), &error.to_string());
+    if ends_block
+        && refusal.fault == Fault::Statement
+        && let Ok(statements) = Block::parse_within.parse_str(text)
+    {
+        return Ok(statements);
+    }
+    Err(refusal)
+}
+
+/// Where a comment begins that hides what follows the text: // in its last row.
+fn find_last_comment(text: &str) -> Option<usize> {
+    let (mut depth, mut at) = (0, 0);
+    while at < text.len() {
+        let rest = &text.as_bytes()[at..];
+        if depth == 0 && rest.starts_with(b"//") {
+            match text[at..].find('\n') {
+                Some(length) => at += length,
+                None => return Some(at),
+            }
+        } else if rest.starts_with(b"/*") {
+            (depth, at) = (depth + 1, at + 2);
+        } else if depth > 0 && rest.starts_with(b"*/") {
+            (depth, at) = (depth - 1, at + 2);
+        } else {
+            at += 1;
+        }
+    }
+    None
 }
 
 /// Refuses characters that no line may contain, and lines that are too long.
-fn check_signs(text: &str) -> Result<(), Refusal> {
+fn check_signs(text: &str, ends_row: bool) -> Result<(), Refusal> {
     if text.len() > MAX_LENGTH {
         return refuse(0..text.len(), Fault::LongText);
     }
@@ -32,8 +65,10 @@ fn check_signs(text: &str) -> Result<(), Refusal> {
     if let Some((at, sign)) = text.char_indices().find(|(_, sign)| is_unreadable(*sign)) {
         return refuse(at..at + sign.len_utf8(), Fault::UnreadableSign(sign));
     }
-    let signs = [("//", Fault::LineComment), ("<-", Fault::LeftArrow), ("?", Fault::QuestionMark)];
-    for (sign, fault) in signs {
+    if let Some(at) = find_last_comment(text).filter(|_| !ends_row) {
+        return refuse(at..at + 2, Fault::LineComment);
+    }
+    for (sign, fault) in [("<-", Fault::LeftArrow), ("?", Fault::QuestionMark)] {
         if let Some(at) = text.find(sign) {
             return refuse(at..at + sign.len(), fault);
         }
@@ -59,11 +94,37 @@ fn explain_syntax_error(text: &str, range: Range<usize>, error: &str) -> Refusal
     } else if error.contains("chained") {
         (range, Fault::ComparisonChain)
     } else if &text[range.clone()] == ";" {
-        (range, Fault::Statement)
+        let has_let = text.trim_start().starts_with("let ");
+        let fault = match range.end < end {
+            true if has_let => Fault::Statement,
+            true => Fault::TwoStatements,
+            false => Fault::Semicolon,
+        };
+        (range, fault)
     } else if is_at_end {
         (end - 1..end, Fault::MissingBehind)
     } else {
         (range, Fault::MissingBefore)
     };
     Refusal { range, fault }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn comment_in_the_last_row_is_found() {
+        for (text, at) in [
+            ("a // b", Some(2)),
+            ("a // b\n + c", None),
+            ("a // b\n + c //", Some(12)),
+            ("a /* // */ + b", None),
+            ("a /* /* */ // */ + b", None),
+            ("a /* */ // b", Some(8)),
+            ("a / b", None),
+        ] {
+            assert_eq!(find_last_comment(text), at, "{text}");
+        }
+    }
 }

@@ -38,6 +38,37 @@ pub fn describe_type(value_type: ValueType) -> &'static str {
     }
 }
 
+/// Describes values of these types, such as `two vectors and a number`.
+pub fn describe_types(types: &[ValueType]) -> String {
+    let groups = types.chunk_by(|a, b| a == b).map(|group| match (group.len(), group[0]) {
+        (1, ValueType::Bool) => describe_type(ValueType::Bool).to_owned(),
+        (1, one) => {
+            format!("one {}", describe_type(one).split_once(' ').map_or("", |words| words.1))
+        }
+        (count, ValueType::F64) => format!("{} numbers", count_word(count)),
+        (count, ValueType::Vector) => format!("{} vectors", count_word(count)),
+        (count, other) => format!("{} times {}", count_word(count), describe_type(other)),
+    });
+    let groups: Vec<_> = groups.collect();
+    if groups.is_empty() { "no value".to_owned() } else { groups.join(" and ") }
+}
+
+/// Says how many values there are, such as `are two`.
+pub fn count_values(count: usize) -> String {
+    format!("{} {}", if count < 2 { "is" } else { "are" }, count_word(count))
+}
+
+fn count_word(count: usize) -> String {
+    let words = ["none", "one", "two", "three", "four", "five", "six"];
+    words.get(count).map_or(count.to_string(), |word| (*word).to_owned())
+}
+
+/// Words as they begin a sentence.
+pub fn capitalise(words: &str) -> String {
+    let (first, rest) = words.split_at(words.ceil_char_boundary(1));
+    first.to_ascii_uppercase() + rest
+}
+
 /// The error if a value has a different type from its place.
 pub struct TypeMismatch;
 

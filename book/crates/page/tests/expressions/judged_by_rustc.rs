@@ -1,6 +1,7 @@
 //! Compares a thousand random lines with rustc. A line that rustc refuses, or that panics in a
 //! development build, must be refused here, and every value must be equal to the last bit.
 
+use crate::lines::cure_line;
 use course::{Place, ValueType, cargo_command, target_folder, workspace};
 use fastrand::Rng;
 use glam::dvec3;
@@ -20,13 +21,15 @@ const PROGRAM: &str = "#![allow(warnings)] use glam::DVec3; use std::panic::*; f
     set_hook(Box::new(|_| {})); for f in ALL { println!(\"{}\", catch_unwind(|| f(0.75, -3.5, \
     DVec3::new(0.5, -0.25, 2.0), DVec3::Z, -3, true)).unwrap_or(\"stop\".to_owned())) } }\n";
 
-/// Writes a random line of the type whose name begins with `letter`, or occasionally of a wrong
-/// type. In a pattern, `$` and a letter stand for a line of that type, `;` for a comma, and `#` for
-/// a semicolon.
+/// Writes a random line whose type has a name that begins with `letter`. In a pattern, $ and a
+/// letter stand for a line of that type, ; stands for a comma, and # for a semicolon. A list whose
+/// name ends with ? has slips, most of which are refused with a cure.
 fn write_random_line(rng: &mut Rng, letter: &str, depth: usize) -> String {
     let is_wrong = rng.u8(..) < 5;
     let lists = include_str!("patterns.txt").lines().filter_map(|line| line.split_once(": "));
+    let is_slip = depth > 0 && "fDb".contains(letter) && rng.u8(..) < 20;
     let lists = lists.filter(|(name, _)| is_wrong || name.starts_with(letter));
+    let lists = lists.filter(|(name, _)| name.ends_with('?') == is_slip);
     let patterns = lists.flat_map(|(_, list)| list.split(", "));
     let patterns: Vec<_> = patterns.take(if depth == 0 { 3 } else { usize::MAX }).collect();
     let pattern = rng.choice(patterns).expect("a pattern").replace(';', ",").replace('#', ";");
@@ -105,8 +108,17 @@ fn rustc_judges_made_lines() {
         variables: variables.map(|(name, type_name)| (name, parse_type(type_name))).collect(),
         notes: vec![],
     };
+    let mut cured_lines = vec![];
+    for (kind, text) in &lines {
+        place.value_type = parse_type(kind);
+        let cured = cure_line(&place, text);
+        cured_lines.extend((cured != *text).then_some((*kind, cured)));
+    }
+    let cure_count = cured_lines.len();
+    lines.extend(cured_lines);
     let (mut wrong, mut only_here, mut equal) = (String::new(), String::new(), 0);
-    for ((kind, text), judged) in lines.iter().zip(ask_rustc(&lines)) {
+    let (mut equal_cures, judged_lines) = (0, ask_rustc(&lines));
+    for (index, ((kind, text), judged)) in lines.iter().zip(judged_lines).enumerate() {
         place.value_type = parse_type(kind);
         let value = parse_expression(&place, text).and_then(|line| {
             let no_result = Refusal { range: 0..text.len(), fault: Fault::NoResult };
@@ -118,12 +130,18 @@ fn rustc_judges_made_lines() {
         let judged = judged.map(|value| if value == "stop" { value } else { value + ")" });
         match (judged.as_deref(), value) {
             (None | Some("stop"), Err(_)) => {}
-            (Some(right), Ok(value)) if value == right => equal += 1,
+            (Some(right), Ok(value)) if value == right => {
+                *(if index < 1000 { &mut equal } else { &mut equal_cures }) += 1;
+            }
             (Some(_), Err(refusal)) => only_here += &format!("{text}: {refusal}\n"),
             (right, value) => wrong += &format!("{text}: {value:?}, rustc {right:?}\n"),
         }
     }
-    println!("{equal} equal; {} refused here alone:\n{only_here}", only_here.lines().count());
+    println!(
+        "{equal} equal, and {equal_cures} of {cure_count} cured; {} refused here alone:\n{only_here}",
+        only_here.lines().count()
+    );
     assert_eq!(wrong, "");
+    assert!(equal_cures > 50, "{equal_cures} cured lines are equal");
     assert!(equal > 400 && only_here.lines().count() < 80, "{equal} are equal");
 }

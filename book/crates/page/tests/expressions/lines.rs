@@ -1,7 +1,7 @@
 //! What readers are told about lines that are refused, either when they are compiled or while they
 //! draw. The part that is wrong is shown as ⟦wrong⟧.
 
-use course::all_listed_places;
+use course::{Place, all_listed_places};
 use page::expressions::{Fault, Refusal, draw_edited, parse_expression};
 use std::ops::Range;
 
@@ -22,7 +22,44 @@ fn refused_lines_have_their_range_and_sentence() {
     insta::assert_snapshot!(report);
 }
 
-/// Draws a small picture with this line in it.
+/// The line with the cures in it that its refusals offer, one after the other.
+///
+/// # Panics
+///
+/// Panics if a cure is refused itself.
+pub fn cure_line(place: &Place, text: &str) -> String {
+    let mut cured = text.to_owned();
+    let mut last = None;
+    for _ in 0..8 {
+        let Err(Refusal { range, fault }) = parse_expression(place, &cured) else { break };
+        if let Some(Range { start, end }) = last {
+            let is_in_cure = start <= range.start && range.end <= end;
+            // What stands around a cure may ask for another type.
+            let is_of_type = matches!(fault, Fault::WholeNumber { .. } | Fault::Mismatch { .. });
+            assert!(!is_in_cure || is_of_type, "{text}, cured: {cured}: {fault}");
+        }
+        let Some(cure) = fault.cure() else { break };
+        last = Some(range.start..range.start + cure.len());
+        cured.replace_range(range, cure);
+    }
+    cured
+}
+
+#[test]
+fn cures_are_accepted() {
+    let mut cured_lines = String::new();
+    for line in include_str!("lines.txt").lines() {
+        let (name, text) = line.split_once(' ').expect("a place and a text");
+        let place = all_listed_places().into_iter().find(|place| place.name == name);
+        let cured = cure_line(&place.expect("a place"), text);
+        if cured != text {
+            cured_lines += &format!("{name} {text}\n  → {cured}\n");
+        }
+    }
+    insta::assert_snapshot!(cured_lines);
+}
+
+/// Draws a small picture.
 fn draw(name: &str, text: &str) -> Result<(), Refusal> {
     draw_within(name, text, 30_000)
 }
@@ -79,7 +116,16 @@ fn more_lines_than_there_are_places_are_not_drawn() {
 #[test]
 fn reply_is_about_the_lines_and_no_others() {
     for (lines, words) in [
-        ("near (-b - d.sqrt()) / (2.0 * a) + 0.1", "This picture can't show"),
+        ("near (-b - d.sqrt()) / (2.0 * a) + 0.1", "The picture of step 4 would show it"),
+        ("near -(-b - d.sqrt()) / (2.0 * a)", "The picture of step 3 would show it"),
+        ("near (-b + d.sqrt()) / (2.0 * a)", "The picture of step 4 would show it"),
+        ("v ray.direction.normalize()", "The picture of step 4 would show it"),
+        ("c s.length_squared() - self.radius.powi(2)", "none differs there, either"),
+        ("b 2.0 * v.dot(s)\u{1f}a v.length_squared()", "none differs there, either"),
+        (
+            "b 2.0 * s.dot(v)\u{1f}misses d <= 0.0",
+            "Not one pixel differs from the book's picture.\"",
+        ),
         ("nearer t < best.as_ref().map_or(f64::INFINITY, |hit| hit.t)", "Not one pixel differs"),
         ("normal p - sphere.centre", "n is not a unit vector"),
         ("normal p - sphere.centre\u{1f}byte 255.0 * intensity + 0.5", "\"known\":\"\""),
@@ -89,5 +135,24 @@ fn reply_is_about_the_lines_and_no_others() {
     ] {
         let text = page::reply(&format!("edit 640 {lines}"), &[]).text;
         assert!(text.contains(words), "{lines}: {text}");
+    }
+}
+
+#[test]
+fn line_can_be_read_at_each_letter_that_is_typed() {
+    for line in include_str!("lines.txt").lines() {
+        let (name, text) = line.split_once(' ').expect("a place and a text");
+        let place = all_listed_places().into_iter().find(|place| place.name == name);
+        let place = place.expect("a place");
+        for (end, _) in text.char_indices() {
+            for typed in [&text[..end], &text[end..]] {
+                if let Err(Refusal { range, fault }) = parse_expression(&place, typed) {
+                    assert!(
+                        range.start <= range.end && range.end <= typed.len(),
+                        "{typed}: {fault}"
+                    );
+                }
+            }
+        }
     }
 }

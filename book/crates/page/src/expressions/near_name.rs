@@ -1,0 +1,88 @@
+//! Finds the name that a reader most likely meant.
+
+/// The least letters of a name that is found if some of them are wrong.
+const LEAST_LETTERS: usize = 3;
+
+/// Words of other languages and spellings, each with the names that Rust and glam have for it.
+const SYNONYMS: &[(&str, &[&str])] = &[
+    ("arccos", &["acos"]),
+    ("arcsin", &["asin"]),
+    ("arctan", &["atan"]),
+    ("b", &["z"]),
+    ("ceiling", &["ceil"]),
+    ("fabs", &["abs"]),
+    ("g", &["y"]),
+    ("inverse", &["recip"]),
+    ("len", &["length"]),
+    ("length2", &["length_squared"]),
+    ("log", &["ln"]),
+    ("magnitude", &["length"]),
+    ("magnitude_squared", &["length_squared"]),
+    ("mix", &["lerp"]),
+    ("norm", &["length"]),
+    ("norm_squared", &["length_squared"]),
+    ("pow", &["powi", "powf"]),
+    ("r", &["x"]),
+    ("sign", &["signum"]),
+    ("sum", &["element_sum"]),
+    ("unit", &["normalize"]),
+];
+
+/// What a name is called here: itself and its synonyms, in small letters.
+pub fn synonyms(name: &str) -> Vec<String> {
+    let small = name.to_ascii_lowercase();
+    let row = SYNONYMS.iter().find(|(word, _)| *word == small);
+    let others = row.map_or(&[][..], |(_, names)| names).iter().map(|name| (*name).to_owned());
+    let others: Vec<_> = others.collect();
+    [vec![small], others].concat()
+}
+
+/// The one of these names that is most like `name`, if one is: the same letters, large or small, a
+/// synonym, the beginning of `name`, or all but a letter or two.
+pub fn find_near_name<'a>(name: &str, known: impl Iterator<Item = &'a str>) -> Option<&'a str> {
+    let wanted = synonyms(name);
+    let distance = |known: &str| {
+        let small = known.to_ascii_lowercase();
+        if let Some(index) = wanted.iter().position(|word| *word == small) {
+            return Some(index);
+        }
+        if small.len().min(name.len()) < LEAST_LETTERS {
+            return None;
+        }
+        let distance = strsim::osa_distance(&wanted[0], &small);
+        let may_differ = if name.len() < 6 { 1 } else { 2 };
+        // A synonym is nearer than a name with a wrong letter, and that is nearer than a beginning.
+        let is_start = wanted[0].starts_with(&small) && 2 * small.len() > wanted[0].len();
+        (distance <= may_differ || is_start).then_some(10 * distance)
+    };
+    let distances = known.filter_map(|known| Some((distance(known)?, known)));
+    distances.min_by_key(|(distance, _)| *distance).map(|(_, known)| known)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn nearest_name_is_found() {
+        let known = ["x", "dot", "length", "length_squared", "lerp", "normalize", "powi", "powf"];
+        let find = |name| find_near_name(name, known.into_iter());
+        for (name, near) in [
+            ("X", "x"),
+            ("r", "x"),
+            ("normalise", "normalize"),
+            ("normalized", "normalize"),
+            ("lenght", "length"),
+            ("len", "length"),
+            ("norm", "length"),
+            ("length_sqared", "length_squared"),
+            ("pow", "powi"),
+            ("dotty", "dot"),
+        ] {
+            assert_eq!(find(name), Some(near), "{name}");
+        }
+        for name in ["q", "name", "tan", "do", "centre"] {
+            assert_eq!(find(name), None, "{name}");
+        }
+    }
+}

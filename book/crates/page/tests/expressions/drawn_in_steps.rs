@@ -1,0 +1,109 @@
+//! The lines of lines.txt that are accepted, and those that are once they have their cures in them,
+//! are written into copies of their steps. rustc has to compile them there, and they have to draw
+//! the pictures that a page draws.
+
+use crate::lines::cure_line;
+use course::{Place, Step, all_listed_places, cargo_command, crate_as_module};
+use course::{target_folder, workspace};
+use page::expressions::{draw_edited, parse_expression};
+use std::collections::BTreeSet;
+use std::fs;
+use std::hash::{DefaultHasher, Hash, Hasher};
+use std::path::Path;
+
+/// The manifest of the program, up to the steps. The course's Cargo.lock decides on the versions.
+const MANIFEST: &str = r#"
+workspace = {}
+package = { name = "lines", edition = "2024" }
+profile.dev = { debug = false, incremental = false }
+
+[dependencies]
+clap = { version = "*", default-features = false }
+glam = { version = "*", default-features = false }
+image = { version = "*", default-features = false }
+rayon = "*"
+"#;
+
+/// The main file of the program, up to its modules. It prints a hash for each line.
+const MAIN: &str = "#![allow(warnings)]
+use std::hash::{DefaultHasher, Hash, Hasher};
+
+fn print_hash(picture: image::RgbImage) {
+    let mut hasher = DefaultHasher::new();
+    picture.as_raw().hash(&mut hasher);
+    println!(\"{}\", hasher.finish());
+}
+";
+
+const COLUMNS: u32 = 64;
+
+/// The accepted lines that draw a picture, each once, with its hash.
+fn drawn_lines() -> Vec<(Place, String, u64)> {
+    let mut known_lines = BTreeSet::new();
+    let lines = include_str!("lines.txt").lines().filter_map(|line| {
+        let (name, text) = line.split_once(' ')?;
+        let place = all_listed_places().into_iter().find(|place| place.name == name)?;
+        let text = cure_line(&place, text);
+        let line = parse_expression(&place, &text).ok()?;
+        let picture = draw_edited(&[line], COLUMNS, u64::MAX).ok()?;
+        let mut hasher = DefaultHasher::new();
+        picture.as_raw().hash(&mut hasher);
+        known_lines.insert(format!("{name} {text}")).then(|| (place, text, hasher.finish()))
+    });
+    lines.collect()
+}
+
+/// Writes the step of a place with a line in it as a module of this name.
+fn write_step(source: &Path, place: &Place, text: &str, module: &str) {
+    let step = place.step_name();
+    let folder = source.join(module);
+    fs::create_dir_all(&folder).expect("a folder");
+    for file in workspace().join("steps").join(step).join("src").read_dir().expect("a folder") {
+        let path = file.expect("a file").path();
+        let name = path.file_name().and_then(|name| name.to_str()).expect("a name");
+        let mut code = fs::read_to_string(&path).expect("a text");
+        if place.file == format!("{step}/src/{name}") {
+            let range = place.find_range(&code).expect("the place");
+            code.replace_range(range, text);
+        }
+        let name = if name == "lib.rs" { "mod.rs" } else { name };
+        fs::write(folder.join(name), crate_as_module(&code, module, [])).expect("a file");
+    }
+}
+
+#[test]
+#[ignore = "compiles sixty copies of a step"]
+fn accepted_lines_draw_the_same_picture_in_their_steps() {
+    let folder = target_folder().join("lines");
+    let _ = fs::remove_dir_all(folder.join("src"));
+    let mut manifest = MANIFEST.to_owned();
+    for step in Step::NAMES {
+        manifest += &format!("{step} = {{ path = {:?} }}\n", workspace().join("steps").join(step));
+    }
+    let (mut modules, mut calls) = (String::new(), String::new());
+    let lines = drawn_lines();
+    for (index, (place, text, _)) in lines.iter().enumerate() {
+        let module = format!("m{index}");
+        write_step(&folder.join("src"), place, text, &module);
+        modules += &format!("mod {module};\n");
+        // Step 1 has the camera itself.
+        let owner = if place.step_name() == Step::Rays.name() { &module } else { "step01_rays" };
+        let camera = format!("{owner}::Camera::new({COLUMNS}, 36, 60_f64.to_radians())");
+        calls += &format!("print_hash({module}::picture(&{camera}, 1));\n");
+    }
+    let main = format!("{MAIN}\n{modules}\nfn main() {{\n{calls}}}\n");
+    fs::write(folder.join("src/main.rs"), main).expect("a file");
+    fs::write(folder.join("Cargo.toml"), manifest).expect("a file");
+    fs::copy(workspace().join("Cargo.lock"), folder.join("Cargo.lock")).expect("a copy");
+    let mut cargo = cargo_command();
+    cargo.args(["run", "--quiet", "--offline", "--message-format=short", "--target-dir=target"]);
+    let output = cargo.current_dir(&folder).output().expect("cargo");
+    let errors = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "{errors}\nin {}", folder.display());
+    let hashes = String::from_utf8_lossy(&output.stdout);
+    let hashes: Vec<_> = hashes.lines().collect();
+    assert_eq!(hashes.len(), lines.len());
+    for ((place, text, expected), hash) in lines.iter().zip(hashes) {
+        assert_eq!(hash, expected.to_string(), "{}: {text}", place.name);
+    }
+}
