@@ -57,15 +57,31 @@
 
         /** @param {KeyboardEvent} event */
         pressKey(event) {
+            if (event.altKey || event.ctrlKey || event.metaKey) return;
+            const isEnd = event.key === "Home" || event.key === "End";
             const [direction, sign] = ARROW_KEYS[event.key] ?? [];
-            if (!direction || event.altKey || event.ctrlKey || event.metaKey) return;
+            if (!direction && !isEnd) return;
             event.preventDefault();
+            if (isEnd) return this.moveToEnd(event.key === "Home" ? "min" : "max");
             const { id, step, axis } = this.figure.parameters.get(this.about[direction]);
             const isReversed = direction === "vertical" && axis === "down";
             const steps = (event.shiftKey ? 10 : 1) * sign * (isReversed ? -1 : 1);
             this.figure.setValue(id, this.figure.values[id] + steps * step);
             // Keys follow each other faster than frames, and none is lost. A probe leaves the picture as it is.
             this.figure.drawMoving(this === this.figure.probe ? "read" : "show");
+        }
+
+        // Moves it to the end of its range, or as far that way as there is something to show.
+        /** @param {"min" | "max"} end */
+        moveToEnd(end) {
+            const { figure, about: { horizontal } } = this;
+            const { step, [end]: limit } = figure.parameters.get(horizontal);
+            let value = figure.values[horizontal];
+            for (let distance = limit - value; Math.abs(distance) >= step; distance /= 2) {
+                while (Math.abs(limit - value) >= Math.abs(distance) && figure.canShow(horizontal, value + distance)) value += distance;
+            }
+            figure.setValue(horizontal, value);
+            figure.drawMoving(this === figure.probe ? "read" : "show");
         }
 
         // Puts the handle where the last reply has it.

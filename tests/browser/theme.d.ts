@@ -206,6 +206,8 @@ interface InteractiveFigure {
   request(verb: string, ...words: (string | number)[]): any;
   formatValues(): string;
   setValue(id: string, value: number): void;
+  /** Whether there is something to show if one of the values is this. */
+  canShow(id: string, value: number): boolean;
   controlOf(id: string): Control;
   selectObject(object: string | undefined): void;
   draw(): void;
