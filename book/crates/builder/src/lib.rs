@@ -66,6 +66,7 @@ mod preprocessor;
 
 mod inline_stylesheets;
 mod links;
+mod nesting;
 mod search;
 
 mod build;
