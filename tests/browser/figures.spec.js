@@ -2,6 +2,36 @@
 import { figures } from './book.js';
 import { expect, open, readPixels, test } from './fixtures.js';
 
+test('a handle goes to its ends, and says nothing there', async ({ page, home }) => {
+  await open(page, `${home}step01_rays.html`);
+  const figure = page.locator('#figure-ray');
+  await figure.scrollIntoViewIfNeeded();
+  await figure.and(page.locator('[data-ready]')).waitFor({ timeout: 20_000 });
+  const handle = figure.getByRole('slider', { name: 'the start S' });
+  await handle.focus();
+  const position = () => handle.evaluate(one => Number(one.getAttribute('aria-valuenow')));
+  const [first, refused] = [await position(), figure.locator('.refused')];
+  // To the right, the tip of V comes to the border before the start comes to the end of its range.
+  for (const [key, is] of [['Home', x => x === -2], ['End', x => first < x && x < 7]]) {
+    await page.keyboard.press(key);
+    expect(is(await position()), `${key} goes to ${await position()}`).toBe(true);
+    await page.keyboard.press(key === 'Home' ? 'ArrowLeft' : 'ArrowRight');
+    await expect(refused).toBeEmpty();
+  }
+});
+
+test('a typed number that a figure cannot use is explained', async ({ page, home }) => {
+  await open(page, `${home}step04_diffuse.html`);
+  const figure = page.locator('#figure-attenuation');
+  await figure.scrollIntoViewIfNeeded();
+  await figure.and(page.locator('[data-ready]')).waitFor({ timeout: 20_000 });
+  const field = figure.getByRole('textbox', { name: 'c of your curve' });
+  for (const [text, words] of [['-5', 'The figure shows 0 instead.'], ['0.1', '']]) {
+    await field.fill(text);
+    await expect(figure.locator('.refused')).toHaveText(words);
+  }
+});
+
 for (const [name, figure, k] of figures) {
   test(`${name}: the figure ${figure}, number ${k + 1} there, is interactive`, { tag: k ? '@thorough' : [] }, async ({ page, home }) => {
     await open(page, home + name);

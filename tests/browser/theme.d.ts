@@ -20,6 +20,12 @@ interface Book {
   trustAddress(address: string): void;
   /** Copies a text, if the browser lets a page do so, and says so on the button for a while. */
   copyBy(button: HTMLButtonElement, text: string, words?: string): Promise<void>;
+  /** What the browser keeps under this name, by key; nothing if it keeps nothing. */
+  recall(name: string): Record<string, any>;
+  /** Lets the browser keep a value under a name and a key, if the reader allows that. */
+  keep(name: string, key: string, value: string | boolean): void;
+  /** Marks in the contents the steps whose picture was right. */
+  markRight(): void;
   /** A number as people type it: 58.72, 58,72, 1/2, −3 or 60°. NaN if it isn't one. */
   readNumber(text: string): number;
   /** Calls `near`, once for each element, when the element comes near the view. */

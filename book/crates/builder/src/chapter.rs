@@ -6,8 +6,8 @@ use crate::markdown;
 use crate::picture::{self, Loading};
 use crate::problem::{Heading, OpenProblem, Position, Problem};
 use crate::{
-    Sources, check_form, console, figure, folded_box, formula, listing, mistake_gallery, note,
-    numbers, pixel_panel,
+    Sources, algorithm, check_form, console, figure, folded_box, formula, listing, mistake_gallery,
+    note, numbers, pixel_panel,
 };
 use figures::Figure;
 use mdbook_markdown::pulldown_cmark::{
@@ -280,6 +280,8 @@ impl<'a> Chapter<'a> {
             listing::html(language, word, words, self.sources, &mut self.listings)?
         } else if language == "console" {
             console::figure_markdown(word, &content)?
+        } else if language == "algorithm" {
+            algorithm::html(&content)
         } else if ["", "rust", "toml"].contains(&language) {
             return Err(ChapterError::TypedCode);
         } else {
@@ -450,10 +452,10 @@ fn find_live(name: &str) -> ChapterResult<&'static Figure> {
     figures::find(name).ok_or_else(|| ChapterError::UnknownLive(name.to_owned()))
 }
 
-/// Whether code is a name such as `Ray::at`, in which a line may break.
+/// Whether code is a name or a path, such as `Ray::at` or `src/ray.rs`, in which a line may break.
 fn is_breakable_name(code: &str) -> bool {
-    let in_name = |c: char| c.is_ascii_alphanumeric() || "_:".contains(c);
-    code.chars().all(in_name) && code.contains(['_', ':'])
+    let in_name = |c: char| c.is_ascii_alphanumeric() || "_:/.-".contains(c);
+    code.chars().all(in_name) && code.contains(['_', ':', '/'])
 }
 
 #[cfg(test)]
@@ -462,7 +464,7 @@ mod tests {
 
     #[test]
     fn only_a_name_of_several_words_is_breakable() {
-        for code in ["Ray::at", "to_radians"] {
+        for code in ["Ray::at", "to_radians", "src/ray.rs"] {
             assert!(is_breakable_name(code), "{code}");
         }
         for code in ["Ray", "a + b_c", "v.dot(v)"] {

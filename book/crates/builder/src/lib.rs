@@ -48,6 +48,7 @@ mod numbers;
 mod replace_between;
 mod values;
 
+mod algorithm;
 mod check_form;
 mod console;
 mod controls;
