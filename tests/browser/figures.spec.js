@@ -32,6 +32,31 @@ test('a typed number that a figure cannot use is explained', async ({ page, home
   }
 });
 
+test('labels of drawings do not overlap in their real fonts', async ({ page, home }) => {
+  // On a phone, small labels are larger in proportion.
+  await page.setViewportSize({ width: 390, height: 844 });
+  for (const name of new Set(figures.map(([name]) => name))) {
+    await open(page, home + name);
+    const faults = await page.evaluate(async () => {
+      await document.fonts.ready;
+      const all = [...document.querySelectorAll('.drawing svg')].flatMap(svg => {
+        const labels = [...svg.querySelectorAll('text')].filter(one => one.textContent).map(one => {
+          const { x, width } = one.getBBox();
+          const [baseline, size] = [Number(one.getAttribute('y')), parseFloat(getComputedStyle(one).fontSize)];
+          return { words: one.textContent, left: x, right: x + width, top: baseline - 0.7 * size, bottom: baseline + 0.2 * size };
+        });
+        const { width, height } = svg.viewBox.baseVal;
+        const cut = labels.filter(one => one.left < 0 || one.top < 0 || one.right > width || one.bottom > height);
+        const over = labels.filter((one, k) => labels.slice(0, k).some(other =>
+          one.left < other.right && other.left < one.right && one.top < other.bottom && other.top < one.bottom));
+        return [...cut, ...over].map(one => `${svg.parentElement.id}: ${one.words}`);
+      });
+      return all;
+    });
+    expect.soft(faults, name).toEqual([]);
+  }
+});
+
 for (const [name, figure, k] of figures) {
   test(`${name}: the figure ${figure}, number ${k + 1} there, is interactive`, { tag: k ? '@thorough' : [] }, async ({ page, home }) => {
     await open(page, home + name);

@@ -3,7 +3,8 @@
 //! `Sources` is everything that the chapters show: files of the workspace, and the pictures and
 //! scripts in `generated/`. `ChapterPreprocessor` is the mdBook preprocessor that expands the chapters, both for
 //! `mdbook serve` and for `cargo run`. `build` lets mdBook write the pages, copies the stylesheets
-//! into them and writes the search index. Finally it checks every link.
+//! into them and writes the search index. Finally it checks every link, and that the elements of every
+//! page are nested as HTML asks.
 //!
 //! A chapter is Markdown with *directives*, `{{#kind words}}`. Most are a paragraph of their own;
 //! `value`, `number` and `our-folder` are part of a sentence:
@@ -13,6 +14,8 @@
 //!   page when that picture changes.
 //! - A *console* is a fence of commands: `console,ours` for our folder, `console,yours` for the
 //!   reader's, and `console,yours,refused` or `console,yours,fails` if a test expects that.
+//! - An `algorithm` is a fence of lines in words. What has two blanks or more before it at the end
+//!   of a line is the name of a step.
 //! - A *value* is computed by the steps when the book is built. A *number* is updated on the page
 //!   when its interactive figure changes.
 //! - A *figure* is a drawing of the crate `figures`, and a *picture* is a PNG file, locked or made

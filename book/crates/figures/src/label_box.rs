@@ -5,7 +5,7 @@ use glam::DVec2;
 /// A rectangle that contains the text of a label.
 ///
 /// The width is an estimate from the characters, because only a browser knows the fonts. A test in
-/// tests/browser compares it with the real one.
+/// tests/browser looks for real labels that overlap.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LabelBox {
     min: DVec2,
