@@ -46,6 +46,15 @@ const book = /** @type {any} */ ({ root: document.documentElement });
         setTimeout(() => { button.textContent = label; }, 1500);
     };
 
+    // What a reader did is kept by the browser, and nowhere else.
+    book.recall = name => {
+        try { return JSON.parse(localStorage.getItem(name)) ?? {}; } catch { return {}; /* private */ }
+    };
+
+    book.keep = (name, key, value) => {
+        try { localStorage.setItem(name, JSON.stringify({ ...book.recall(name), [key]: value })); } catch { /* private */ }
+    };
+
     book.readNumber = text => {
         const parts = text.replace(/[\s°]/g, "").replace(/−/g, "-").split("/").map(part => part.replace(",", "."));
         const numbers = parts.map(part => part ? Number(part) : NaN);
@@ -130,6 +139,15 @@ const book = /** @type {any} */ ({ root: document.documentElement });
         // Some servers leave out the extension of a file's name.
         /** @param {{ pathname: string }} url */
         const name = url => url.pathname.split("/").pop().replace(/\.html$/, "");
+        // A step has a mark once its picture was right.
+        book.markRight = () => {
+            const right = book.recall("right");
+            for (const link of links) {
+                if (!right[name(link)] || link.querySelector(".tick")) continue;
+                link.append(book.make("span", { class: "tick", role: "img", "aria-label": "your picture was right", title: "Your picture was right" }, "✓"));
+            }
+        };
+        book.markRight();
         const here = links.find(a => name(a) === name(location)) ?? (["", "index"].includes(name(location)) ? links[0] : null);
         if (here) {
             here.setAttribute("aria-current", "page");
@@ -206,6 +224,16 @@ const book = /** @type {any} */ ({ root: document.documentElement });
         });
     }
 
+    // The commands of a console are copied without the prompt and without what they print.
+    for (const code of document.querySelectorAll(".console code")) {
+        const button = book.make("button", { type: "button", class: "copy", "aria-label": "Copy the command" }, "Copy");
+        code.closest("figure").querySelector("figcaption").append(button);
+        button.addEventListener("click", () => {
+            const lines = code.textContent.split("\n").filter(line => line.startsWith("$ "));
+            book.copyBy(button, lines.map(line => line.slice(2)).join("\n"));
+        });
+    }
+
     // Problems on paper: a number is right if its error, as a fraction of the answer, is at most
     // the tolerance.
     for (const problem of isWhole ? [] : document.querySelectorAll(".problem")) {
@@ -223,11 +251,17 @@ const book = /** @type {any} */ ({ root: document.documentElement });
             if (Math.abs(error) <= tolerance * Math.abs(answer)) return "right";
             return `${Math.abs(error) <= 0.05 * Math.abs(answer) ? "close, but " : ""}too ${error < 0 ? "small" : "large"}`;
         };
-        form.addEventListener("submit", event => {
-            event.preventDefault();
+        const check = () => {
             verdict.textContent = judge(input.value);
             verdict.classList.toggle("right", verdict.textContent === "right");
+        };
+        form.addEventListener("submit", event => {
+            event.preventDefault();
+            check();
+            book.keep("answers", number, input.value);
         });
+        input.value = book.recall("answers")[number] ?? "";
+        if (input.value) check();
         input.addEventListener("input", () => { verdict.textContent = ""; });
         problem.insertBefore(form, problem.querySelector("details"));
     }

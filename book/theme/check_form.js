@@ -54,16 +54,21 @@
             } catch {
                 return show(2, `This page can't check ${file.name}. In our folder, run: cargo run --bin check`);
             }
+            const { scene: field } = /** @type {any} */ (form.elements);
+            const scene = field?.value.trim().normalize();
             // Ignores a reply that arrives after Reset, or after a newer file was chosen.
             /** @param {number | ""} exitCode @param {(Node | string)[]} children */
             const showIfAsked = (exitCode, ...children) => {
                 if (asked === worker) show(exitCode, ...children);
             };
-            asked.onmessage = ({ data }) => showIfAsked(data.code, ...makeReport(data));
+            asked.onmessage = ({ data }) => {
+                showIfAsked(data.code, ...makeReport(data));
+                if (data.code !== 0 || scene) return;
+                book.keep("right", form.dataset.check === "*" ? file.name.replace(/\.png$/i, "") : form.dataset.check, true);
+                book.markRight();
+            };
             const fail = () => showIfAsked(2, `This page can't check ${file.name}. In our folder, run: cargo run --bin check`);
             asked.onerror = fail;
-            const { scene: field } = /** @type {any} */ (form.elements);
-            const scene = field?.value.trim().normalize();
             const request = `check ${scene ? `@${scene}` : form.dataset.check}\n${file.name}`;
             // `check` refuses larger files, so the rest of the file isn't needed.
             Promise.all([book.modules.compile("check"), file.slice(0, 2 ** 26 + 1).arrayBuffer()])

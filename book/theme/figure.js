@@ -104,6 +104,22 @@
             this.values = { ...this.values, [id]: value };
         }
 
+        // Whether there is something to show with this value.
+        /** @param {string} id @param {number} value */
+        canShow(id, value) {
+            const { values } = this;
+            this.setValue(id, value);
+            try {
+                this.request("read", this.formatValues());
+                return true;
+            } catch (error) {
+                if (!(error instanceof book.Refusal)) throw error;
+                return false;
+            } finally {
+                this.values = values;
+            }
+        }
+
         // The values as a request has them.
         formatValues() {
             return Object.entries(this.values).map(([id, value]) => `${id}:${value}`).join(",");
@@ -189,8 +205,9 @@
                 element.hidden = !visible[id] || object !== this.objectSelect?.value;
                 for (const input of inputs) {
                     if (input.type === "checkbox") input.checked = values[id] === 1;
-                    // What is being typed stays as it is.
+                    // What is being typed stays as it is, but the page says what it shows instead.
                     else if (input.type === "range" || input !== document.activeElement) input.value = String(values[id]);
+                    else if (Math.abs(book.readNumber(input.value) - values[id]) > 1e-9) book.write(this.fault, `The figure shows ${texts[id]} instead.`);
                     if (input.type === "range") input.setAttribute("aria-valuetext", texts[id]);
                 }
                 if (output) book.write(output, texts[id]);
@@ -216,7 +233,8 @@
                 this.values = this.reply.values;
                 this.showControls();
                 if (!(error instanceof book.Refusal)) throw error;
-                this.fault.textContent = "There is nothing to show at that number.";
+                // A handle at its limit just stays there.
+                if (document.activeElement?.matches("input[type=text]")) this.fault.textContent = "There is nothing to show at that number.";
             }
         }
 

@@ -60,9 +60,12 @@
 
         /** @param {KeyboardEvent} event */
         pressKey(event) {
+            if (event.altKey || event.ctrlKey || event.metaKey) return;
+            const isEnd = event.key === "Home" || event.key === "End";
             const [direction, sign] = ARROW_KEYS[event.key] ?? [];
-            if (!direction || event.altKey || event.ctrlKey || event.metaKey) return;
+            if (!direction && !isEnd) return;
             event.preventDefault();
+            if (isEnd) return this.moveToEnd(event.key === "Home" ? "min" : "max");
             const { id, step, axis } = this.figure.parameters.get(this.about[direction]);
             const isReversed = direction === "vertical" && axis === "down";
             const steps = (event.shiftKey ? 10 : 1) * sign * (isReversed ? -1 : 1);
@@ -70,6 +73,19 @@
             // Keys may repeat faster than frames are drawn, and no press may be lost. Moving a
             // probe doesn't change the picture, so only the numbers are asked for.
             this.figure.drawMoving(this === this.figure.probe ? "read" : "show");
+        }
+
+        // Moves it to the end of its range, or as far that way as there is something to show.
+        /** @param {"min" | "max"} end */
+        moveToEnd(end) {
+            const { figure, about: { horizontal } } = this;
+            const { step, [end]: limit } = figure.parameters.get(horizontal);
+            let value = figure.values[horizontal];
+            for (let distance = limit - value; Math.abs(distance) >= step; distance /= 2) {
+                while (Math.abs(limit - value) >= Math.abs(distance) && figure.canShow(horizontal, value + distance)) value += distance;
+            }
+            figure.setValue(horizontal, value);
+            figure.drawMoving(this === figure.probe ? "read" : "show");
         }
 
         // Puts the handle at its position in the last reply.

@@ -14,6 +14,12 @@ for (const [name, asked] of forms.filter(([, , k]) => k === 0)) {
       await input.setInputFiles({ name: `${right}.png`, mimeType: 'image/png', buffer: picture(given) });
       await expect(output).toHaveText(words, { timeout: 20_000 });
     }
+    // The step has a mark in the contents, now and later.
+    const tick = page.locator(`#contents a[href="${right}.html"] .tick`);
+    for (const look of [() => {}, () => open(page, home + name)]) {
+      await look();
+      await expect(tick).toHaveCount(right.startsWith('step') ? 1 : 0);
+    }
     // A browser only reports that the same file was chosen again if the field was empty.
     await input.dispatchEvent('click');
     await expect(input).toHaveValue('');

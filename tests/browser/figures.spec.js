@@ -3,6 +3,61 @@
 import { figures } from './book.js';
 import { expect, open, readPixels, test } from './fixtures.js';
 
+test('a handle goes to its ends, and says nothing there', async ({ page, home }) => {
+  await open(page, `${home}step01_rays.html`);
+  const figure = page.locator('#figure-ray');
+  await figure.scrollIntoViewIfNeeded();
+  await figure.and(page.locator('[data-ready]')).waitFor({ timeout: 20_000 });
+  const handle = figure.getByRole('slider', { name: 'the start S' });
+  await handle.focus();
+  const position = () => handle.evaluate(one => Number(one.getAttribute('aria-valuenow')));
+  const [first, refused] = [await position(), figure.locator('.refused')];
+  // To the right, the tip of V comes to the border before the start comes to the end of its range.
+  for (const [key, is] of [['Home', x => x === -2], ['End', x => first < x && x < 7]]) {
+    await page.keyboard.press(key);
+    expect(is(await position()), `${key} goes to ${await position()}`).toBe(true);
+    await page.keyboard.press(key === 'Home' ? 'ArrowLeft' : 'ArrowRight');
+    await expect(refused).toBeEmpty();
+  }
+});
+
+test('a typed number that a figure cannot use is explained', async ({ page, home }) => {
+  await open(page, `${home}step04_diffuse.html`);
+  const figure = page.locator('#figure-attenuation');
+  await figure.scrollIntoViewIfNeeded();
+  await figure.and(page.locator('[data-ready]')).waitFor({ timeout: 20_000 });
+  const field = figure.getByRole('textbox', { name: 'c of your curve' });
+  for (const [text, words] of [['-5', 'The figure shows 0 instead.'], ['0.1', '']]) {
+    await field.fill(text);
+    await expect(figure.locator('.refused')).toHaveText(words);
+  }
+});
+
+test('labels of drawings do not overlap in their real fonts', async ({ page, home }) => {
+  // On a phone, small labels are larger in proportion.
+  await page.setViewportSize({ width: 390, height: 844 });
+  for (const name of new Set(figures.map(([name]) => name))) {
+    await open(page, home + name);
+    const faults = await page.evaluate(async () => {
+      await document.fonts.ready;
+      const all = [...document.querySelectorAll('.drawing svg')].flatMap(svg => {
+        const labels = [...svg.querySelectorAll('text')].filter(one => one.textContent).map(one => {
+          const { x, width } = one.getBBox();
+          const [baseline, size] = [Number(one.getAttribute('y')), parseFloat(getComputedStyle(one).fontSize)];
+          return { words: one.textContent, left: x, right: x + width, top: baseline - 0.7 * size, bottom: baseline + 0.2 * size };
+        });
+        const { width, height } = svg.viewBox.baseVal;
+        const cut = labels.filter(one => one.left < 0 || one.top < 0 || one.right > width || one.bottom > height);
+        const over = labels.filter((one, k) => labels.slice(0, k).some(other =>
+          one.left < other.right && other.left < one.right && one.top < other.bottom && other.top < one.bottom));
+        return [...cut, ...over].map(one => `${svg.parentElement.id}: ${one.words}`);
+      });
+      return all;
+    });
+    expect.soft(faults, name).toEqual([]);
+  }
+});
+
 for (const [name, figure, k] of figures) {
   test(`${name}: the figure ${figure}, number ${k + 1} there, is interactive`, { tag: k ? '@thorough' : [] }, async ({ page, home }) => {
     await open(page, home + name);

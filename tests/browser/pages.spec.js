@@ -27,6 +27,17 @@ for (const name of pages) {
   });
 }
 
+test('commands are copied without the prompt and the output', async ({ page, home, browserName }) => {
+  test.skip(browserName !== 'chromium', 'only Chromium has a clipboard that a test can read');
+  await open(page, `${home}step01_program.html`);
+  await page.context().grantPermissions(['clipboard-read', 'clipboard-write']);
+  const console = page.locator('.console', { hasText: 'cinerama' });
+  await console.getByRole('button', { name: 'Copy the command' }).click();
+  expect(await page.evaluate(() => navigator.clipboard.readText())).toBe(
+    'cargo run -p step01_rays -- --fov 120 --output wide.png\n'
+    + 'cargo run -p step01_rays -- --aspect 2.59:1 --output cinerama.png');
+});
+
 // These pages consist of the same kinds of parts as the others, such as step 4's page, so axe
 // checks them only with THOROUGH=1.
 const THOROUGH_PAGES = /^(step0[1235]|way_back|mistakes)/;

@@ -15,4 +15,12 @@ test('a number for a problem is right, close or wrong', async ({ page, home }) =
     await problem.getByRole('button', { name: 'Check' }).click();
     await expect(problem.locator('output')).toHaveText(words);
   }
+  // The number is kept, with its verdict, on the sheet of all problems, too.
+  await problem.getByRole('textbox').fill(String(answer));
+  await problem.getByRole('button', { name: 'Check' }).click();
+  for (const name of ['step01_practice.html', 'problems.html']) {
+    await open(page, home + name);
+    await expect(problem.getByRole('textbox')).toHaveValue(String(answer));
+    await expect(problem.locator('output')).toHaveText('right');
+  }
 });

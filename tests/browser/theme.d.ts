@@ -26,6 +26,12 @@ interface Book {
    * copied.
    */
   copyBy(button: HTMLButtonElement, text: string, words?: string): Promise<void>;
+  /** What the browser keeps under this name, by key; nothing if it keeps nothing. */
+  recall(name: string): Record<string, any>;
+  /** Lets the browser keep a value under a name and a key, if the reader allows that. */
+  keep(name: string, key: string, value: string | boolean): void;
+  /** Marks in the contents the steps whose picture was right. */
+  markRight(): void;
   /**
    * Parses a number as people type it: 58.72, 58,72, 1/2, −3 or 60°. Returns NaN if it isn't one.
    */
@@ -229,6 +235,8 @@ interface InteractiveFigure {
   request(verb: string, ...words: (string | number)[]): any;
   formatValues(): string;
   setValue(id: string, value: number): void;
+  /** Whether there is something to show if one of the values is this. */
+  canShow(id: string, value: number): boolean;
   controlOf(id: string): Control;
   selectObject(object: string | undefined): void;
   draw(): void;

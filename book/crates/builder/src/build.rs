@@ -3,8 +3,9 @@
 use crate::fault::Faults;
 use crate::inline_stylesheets::inline_stylesheets;
 use crate::preprocessor::ChapterPreprocessor;
+use crate::replace_between::{MissingEnd, replace_between};
 use crate::sources::{GENERATED, Sources};
-use crate::{Files, Site, links, picture, search};
+use crate::{Files, Site, links, nesting, picture, search};
 use anyhow::{Context, Result, ensure};
 use mdbook_driver::MDBook;
 use std::fs::{self, File};
@@ -94,19 +95,30 @@ fn write_and_check_pages(workspace: &Path, folder: &Path) -> Result<Site> {
     let index = search::index_script(&site, search::READER_WORDS)?;
     write_page_file(&folder, &mut site.files, "search-index.js".to_owned(), index)?;
     Faults::ensure_none(links::find_address_faults(&site))?;
+    Faults::ensure_none(nesting::find_faults(&site))?;
     Ok(site)
 }
 
 /// Finishes the pages that mdBook has written. Returns the name and final HTML of each.
 fn finish_pages(files: &Files) -> Result<Vec<(String, String)>> {
     let pages = files.texts_with_suffix(".html").map(|(name, html)| {
-        let mut html = inline_stylesheets(html, files).with_context(|| name.to_owned())?;
+        let html = close_part_titles(html).with_context(|| name.to_owned())?;
+        let mut html = inline_stylesheets(&html, files).with_context(|| name.to_owned())?;
         if name == "print.html" {
             html = picture::load_all_pictures(&html);
         }
         Ok((name.to_owned(), html))
     });
     pages.collect()
+}
+
+/// Removes the list item that mdBook opens around the title of a part of the contents, and the end
+/// tag that closes nothing.
+fn close_part_titles(html: &str) -> Result<String, MissingEnd> {
+    let begin = "<li class=\"chapter-item expanded \"><li class=\"part-title\">";
+    replace_between(html, begin, "</li></li>", |title| {
+        Ok(format!("<li class=\"part-title\">{title}</li>"))
+    })
 }
 
 /// Writes a file into `folder`, and updates it in `files`, the copy of that folder in memory.
@@ -135,6 +147,14 @@ mod tests {
 
     fn read_index(book: &Path) -> String {
         fs::read_to_string(book.join("index.html")).unwrap_or_default()
+    }
+
+    #[test]
+    fn title_of_a_part_is_one_list_item() {
+        let html =
+            "<ol><li class=\"chapter-item expanded \"><li class=\"part-title\">a</li></li></ol>";
+        let closed = close_part_titles(html).expect("closed");
+        assert_eq!(closed, "<ol><li class=\"part-title\">a</li></ol>");
     }
 
     #[test]

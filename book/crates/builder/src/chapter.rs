@@ -11,8 +11,8 @@ use crate::markdown;
 use crate::picture::{self, Interaction, Loading};
 use crate::problem::{Heading, OpenProblem, Position, Problem};
 use crate::{
-    Sources, check_form, console, figure, folded_box, formula, listing, mistake_gallery, note,
-    numbers, pixel_panel,
+    Sources, algorithm, check_form, console, figure, folded_box, formula, listing, mistake_gallery,
+    note, numbers, pixel_panel,
 };
 use mdbook_markdown::pulldown_cmark::{
     CodeBlockKind, Event, Parser, Tag, TagEnd, TextMergeWithOffset,
@@ -343,6 +343,8 @@ impl<'a> Chapter<'a> {
             }
         } else if language == "console" {
             console::figure_markdown(word, &content)?
+        } else if language == "algorithm" {
+            algorithm::html(&content)
         } else if ["", "rust", "toml"].contains(&language) {
             return Err(ChapterError::TypedCode);
         } else {
@@ -545,8 +547,8 @@ fn find_interaction(directive: Directive) -> ChapterResult<Interaction<'static>>
 
 /// Whether code is a name such as `Ray::at`, inside which a line may break.
 fn is_breakable_name(code: &str) -> bool {
-    let in_name = |c: char| c.is_ascii_alphanumeric() || "_:".contains(c);
-    code.chars().all(in_name) && code.contains(['_', ':'])
+    let in_name = |c: char| c.is_ascii_alphanumeric() || "_:/.-".contains(c);
+    code.chars().all(in_name) && code.contains(['_', ':', '/'])
 }
 
 #[cfg(test)]
@@ -555,7 +557,7 @@ mod tests {
 
     #[test]
     fn only_a_name_of_several_words_is_breakable() {
-        for code in ["Ray::at", "to_radians"] {
+        for code in ["Ray::at", "to_radians", "src/ray.rs"] {
             assert!(is_breakable_name(code), "{code}");
         }
         for code in ["Ray", "a + b_c", "v.dot(v)"] {

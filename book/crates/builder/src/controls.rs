@@ -64,7 +64,7 @@ fn exact_html(exact: &[Control]) -> String {
         let fields: String = row.iter().map(Control::html).collect();
         let words = words(&row[0]);
         let object = escape(words.strip_prefix("of ").unwrap_or(&words));
-        format!("<span class=\"row\"><span>{object}</span>{fields}</span>")
+        format!("<div class=\"row\"><span>{object}</span>{fields}</div>")
     });
     let rows: String = rows.collect();
     format!("<details class=\"exact\"><summary>Exact values</summary>{rows}</details>")
@@ -184,7 +184,7 @@ mod tests {
     #[test]
     fn exact_values_have_a_row_for_each_object() {
         let html = html(find_figure("three-cases").expect("a figure"));
-        assert_eq!(html.matches("<span class=\"row\">").count(), 3);
+        assert_eq!(html.matches("<div class=\"row\">").count(), 3);
         assert!(html.contains("<span>the start of the left ray</span>"));
     }
 }

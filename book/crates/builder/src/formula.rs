@@ -37,10 +37,21 @@ fn convert(latex: &str, style: MathDisplay) -> ChapterResult<String> {
     });
     let formula_error = |source| ChapterError::Formula { latex: latex.to_owned(), source };
     match converted {
-        Some(Ok(converted)) => Ok(converted.mathml),
+        Some(Ok(converted)) => Ok(align_subscripts(converted.mathml)),
         Some(Err(error)) => Err(formula_error(Some(error))),
         None => Err(formula_error(None)),
     }
+}
+
+/// Makes a subscript of a letter that reaches below the line sit as high as that of any other letter:
+/// y₀ like x₀. Browsers put it below the letter's lower end, so the letter says that it has none.
+fn align_subscripts(mut mathml: String) -> String {
+    for letter in ["g", "p", "q", "y"] {
+        let plain = format!("<msub><mi>{letter}</mi>");
+        let aligned = format!("<msub><mpadded depth=\"0\"><mi>{letter}</mi></mpadded>");
+        mathml = mathml.replace(&plain, &aligned);
+    }
+    mathml
 }
 
 /// Escapes the characters between the tags of `mathml` that Markdown would read as markup.
@@ -67,6 +78,14 @@ mod tests {
     #[test]
     fn markup_is_escaped_outside_of_tags() {
         assert_eq!(escape_markdown("<mi a_b=\"c\">a_*</mi>\n"), "<mi a_b=\"c\">a&#95;&#42;</mi> ");
+    }
+
+    #[test]
+    fn letter_with_a_subscript_reaches_no_lower_than_any_other() {
+        let html = formula_html("(x_0, y_0)", false, &Values::default()).expect("a formula");
+        assert!(html.contains("<msub><mi>x</mi><mn>0</mn></msub>"), "{html}");
+        let aligned = "<msub><mpadded depth=\"0\"><mi>y</mi></mpadded><mn>0</mn></msub>";
+        assert!(html.contains(aligned), "{html}");
     }
 
     #[test]

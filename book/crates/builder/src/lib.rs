@@ -52,6 +52,7 @@ mod numbers;
 mod replace_between;
 mod values;
 
+mod algorithm;
 mod check_form;
 mod console;
 mod controls;
@@ -70,6 +71,7 @@ mod preprocessor;
 
 mod inline_stylesheets;
 mod links;
+mod nesting;
 mod search;
 
 mod build;

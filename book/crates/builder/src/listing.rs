@@ -4,6 +4,7 @@
 use crate::Sources;
 use crate::fault::{ChapterError, ChapterResult};
 use crate::files::{CHAPTERS, resolve_path};
+use crate::markdown::with_break_hints;
 use course::{Place, Step};
 use figures::{escape, find_figure};
 use std::fs;
@@ -95,13 +96,17 @@ impl Extent {
     }
 }
 
+/// The most lines of a listing that isn't split between two pages on paper.
+const SHORT: usize = 25;
+
 impl Listing<'_> {
     /// Returns the code in a fence, under its caption. Adds the listing's id to `ids` if it is new.
     fn markdown(&self, ids: &mut Vec<String>) -> String {
         let Self { path, language, code, .. } = self;
         let short_path = path.strip_prefix("steps/").unwrap_or(path);
         let name_start = short_path.rfind('/').map_or(0, |slash| slash + 1);
-        let (folder, file) = (escape(&short_path[..name_start]), escape(&short_path[name_start..]));
+        let (folder, file) = short_path.split_at(name_start);
+        let [folder, file] = [folder, file].map(|name| with_break_hints(&escape(name)));
         let part = self.extent.words();
         let part =
             part.map_or(String::new(), |part| format!(r#" <span class="part">{part}</span>"#));
@@ -123,6 +128,10 @@ impl Listing<'_> {
             ids.push(id);
         }
         attributes.push(("data-path", escape(self.path)));
+        // On paper, it stays in one piece.
+        if self.code.lines().count() <= SHORT {
+            attributes.push(("data-short", String::new()));
+        }
         attributes
             .extend(places_list(self.path, self.code).map(|places| (PLACES_ATTRIBUTE, places)));
         attributes.extend(self.scene.map(|scene| ("data-code", scene.to_owned())));

@@ -42,8 +42,12 @@ pub fn inline_html(markdown: &str, values: &Values) -> ChapterResult<String> {
 /// The HTML of a name in code. In a narrow column, it may break after `::` and `_`, and nowhere
 /// else.
 pub fn code_with_break_hints(code: &str) -> String {
-    let code = code.replace("::", "::<wbr>").replace('_', "&#95;<wbr>");
-    format!("<code>{code}</code>")
+    format!("<code>{}</code>", with_break_hints(code))
+}
+
+/// The HTML of a name or a path, which may be broken after `::`, `/` and `_`.
+pub fn with_break_hints(name: &str) -> String {
+    name.replace("::", "::<wbr>").replace('/', "/<wbr>").replace('_', "&#95;<wbr>")
 }
 
 #[cfg(test)]
@@ -60,7 +64,8 @@ mod tests {
     }
 
     #[test]
-    fn name_breaks_after_colons_and_underscores() {
+    fn name_breaks_after_colons_slashes_and_underscores() {
         assert_eq!(code_with_break_hints("A::b_c"), "<code>A::<wbr>b&#95;<wbr>c</code>");
+        assert_eq!(with_break_hints("src/ray.rs"), "src/<wbr>ray.rs");
     }
 }

@@ -85,7 +85,7 @@ impl Page {
         let mut elements: Vec<Element> = vec![];
         let mut text = String::new();
         let mut open: Vec<usize> = vec![];
-        for token in tokens(html) {
+        for (token, _) in tokens(html) {
             // The text before such a tag and the text after it belong to different words.
             if matches!(&token, Token::TagToken(tag) if matches!(&*tag.name, "br" | "td" | "th")) {
                 text.push(' ');
@@ -159,8 +159,16 @@ impl Page {
     }
 }
 
-/// Splits the HTML of a page into tags and text.
-fn tokens(html: &str) -> Vec<Token> {
+/// Whether an element never has content or an end tag.
+pub fn is_void(tag: &str) -> bool {
+    matches!(
+        tag,
+        "base" | "br" | "col" | "hr" | "img" | "input" | "link" | "meta" | "source" | "wbr"
+    )
+}
+
+/// Splits the HTML of a page into tags and text, each with its line.
+pub fn tokens(html: &str) -> Vec<(Token, u64)> {
     let queue = BufferQueue::default();
     queue.push_back(StrTendril::from(html));
     let tokenizer = Tokenizer::new(Tokens::default(), TokenizerOpts::default());
@@ -171,15 +179,15 @@ fn tokens(html: &str) -> Vec<Token> {
 
 /// Collects the tokens. The contents of scripts and styles aren't parsed as HTML.
 #[derive(Default)]
-struct Tokens(RefCell<Vec<Token>>);
+struct Tokens(RefCell<Vec<(Token, u64)>>);
 
 impl TokenSink for Tokens {
     type Handle = ();
 
-    fn process_token(&self, token: Token, _line: u64) -> TokenSinkResult<()> {
+    fn process_token(&self, token: Token, line: u64) -> TokenSinkResult<()> {
         let is_raw = matches!(&token, Token::TagToken(tag)
             if tag.kind == TagKind::StartTag && matches!(&*tag.name, "script" | "style"));
-        self.0.borrow_mut().push(token);
+        self.0.borrow_mut().push((token, line));
         if is_raw { TokenSinkResult::RawData(RawKind::Rawtext) } else { TokenSinkResult::Continue }
     }
 }

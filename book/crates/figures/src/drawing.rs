@@ -1,23 +1,37 @@
 //! Drawings in SVG.
 
 use crate::View;
+use crate::label_box::LabelBox;
 use crate::text_markup::{escape, symbol_spans};
-use glam::DVec2;
+use glam::{DVec2, dvec2};
+
+/// The width of every drawing.
+pub const WIDTH: f64 = 480.0;
 
 /// A drawing in SVG, 480 wide. x points right and y points down, and a line of text is about 20
 /// high.
 ///
-/// Every element has a class, through which the theme's style sheet gives it its colours.
+/// Every element has a class, through which the theme's style sheet gives it its colours. Labels are
+/// on top of everything else.
 #[derive(Clone, Debug)]
 pub struct Drawing {
     height: f64,
-    body: String,
+    shapes: String,
+    labels: Vec<Label>,
+}
+
+/// A text in a drawing.
+#[derive(Clone, Debug)]
+struct Label {
+    class: String,
+    position: DVec2,
+    text: String,
 }
 
 impl Drawing {
     /// An empty drawing, as wide as the column of text.
     pub fn new(height: f64) -> Self {
-        Self { height, body: String::new() }
+        Self { height, shapes: String::new(), labels: vec![] }
     }
 
     /// Draws a straight line.
@@ -36,12 +50,12 @@ impl Drawing {
 
     /// Draws a line through all `points`.
     pub fn path(&mut self, class: &str, points: impl IntoIterator<Item = DVec2>) {
-        self.body += &format!(r#"<path class="{class}" d="{}"></path>"#, path_commands(points));
+        self.shapes += &format!(r#"<path class="{class}" d="{}"></path>"#, path_commands(points));
     }
 
     /// Draws the area whose corners are `points`.
     pub fn area(&mut self, class: &str, points: impl IntoIterator<Item = DVec2>) {
-        self.body +=
+        self.shapes +=
             &format!(r#"<path class="{class} area" d="{}Z"></path>"#, path_commands(points));
     }
 
@@ -49,7 +63,7 @@ impl Drawing {
     pub fn circle(&mut self, class: &str, centre: DVec2, radius: f64) {
         let DVec2 { x, y } = centre;
         let position = format!(r#"cx="{x:.2}" cy="{y:.2}" r="{radius:.2}""#);
-        self.body += &format!(r#"<circle class="{class}" {position}></circle>"#);
+        self.shapes += &format!(r#"<circle class="{class}" {position}></circle>"#);
     }
 
     /// Draws a small filled circle to mark a point.
@@ -60,7 +74,7 @@ impl Drawing {
     /// Draws a pixel as a disc in its own colour.
     pub fn pixel(&mut self, centre: DVec2, radius: f64, [red, green, blue]: [u8; 3]) {
         let DVec2 { x, y } = centre;
-        self.body += &format!(
+        self.shapes += &format!(
             r#"<circle class="pixel" cx="{x:.2}" cy="{y:.2}" r="{radius:.1}" style="fill:rgb({red} {green} {blue})"></circle>"#
         );
     }
@@ -75,25 +89,75 @@ impl Drawing {
 
     /// Writes text centred at a position; with the class `start` it begins there, and with `end` it
     /// ends there. Symbols are between dollar signs: `$V_0$` is a V with a subscript 0.
+    ///
+    /// Text that would be cut off at the border, or lie on an earlier label, is moved to the nearest
+    /// free place.
     pub fn label(&mut self, class: &str, position: DVec2, text: &str) {
-        let parts = text.split('$').zip([escape, symbol_spans].into_iter().cycle());
-        let spans: String = parts.map(|(part, spans)| spans(part)).collect();
-        let DVec2 { x, y } = position;
-        self.body += &format!(r#"<text class="{class}" x="{x:.1}" y="{y:.1}">{spans}</text>"#);
+        let position = self.nearest_free(class, position, text);
+        self.labels.push(Label { class: class.into(), position, text: text.into() });
+    }
+
+    /// The position nearest to `position` where a label is inside the drawing and on no other one.
+    /// If there is none nearby, the label is only moved inside.
+    fn nearest_free(&self, class: &str, position: DVec2, text: &str) -> DVec2 {
+        let box_at = |position| LabelBox::new(class, position, text);
+        let inside = position + box_at(position).shift_into(dvec2(WIDTH, self.height));
+        let others: Vec<LabelBox> = self.label_boxes().map(|(_, label_box)| label_box).collect();
+        let distances = (0..=15).map(|k| 4.0 * f64::from(k));
+        let positions = distances.flat_map(|distance| DIRECTIONS.map(|d| inside + distance * d));
+        let mut positions = positions.filter(|&position| {
+            let label_box = box_at(position);
+            let is_inside = label_box.shift_into(dvec2(WIDTH, self.height)) == DVec2::ZERO;
+            is_inside && !others.iter().any(|other| label_box.overlaps(other))
+        });
+        positions.next().unwrap_or(inside)
+    }
+
+    /// The labels' texts, and the boxes that they fill.
+    pub fn label_boxes(&self) -> impl Iterator<Item = (&str, LabelBox)> {
+        let labels = self.labels.iter();
+        labels
+            .map(|Label { class, position, text }| (&**text, LabelBox::new(class, *position, text)))
+    }
+
+    /// The height of the drawing.
+    pub fn height(&self) -> f64 {
+        self.height
     }
 
     /// The drawing's elements, to be put inside an SVG element.
-    pub fn svg_elements(&self) -> &str {
-        &self.body
+    pub fn svg_elements(&self) -> String {
+        let labels = self.labels.iter().map(Label::svg);
+        self.shapes.clone() + &labels.collect::<String>()
     }
 
     /// The drawing as an HTML element, with a `title` for readers who can't see it.
     pub fn html(&self, title: &str) -> String {
-        let Self { height, body } = self;
-        let title = escape(title);
+        let (height, elements, title) = (self.height, self.svg_elements(), escape(title));
         format!(
-            r#"<svg role="img" viewBox="0 0 480 {height}" width="480" height="{height}"><title>{title}</title><g>{body}</g></svg>"#
+            r#"<svg role="img" viewBox="0 0 480 {height}" width="480" height="{height}"><title>{title}</title><g>{elements}</g></svg>"#
         )
+    }
+}
+
+/// The directions in which a label gives way, the best first.
+const DIRECTIONS: [DVec2; 8] = [
+    dvec2(0.0, -1.0),
+    dvec2(1.0, 0.0),
+    dvec2(-1.0, 0.0),
+    dvec2(0.0, 1.0),
+    dvec2(1.0, -1.0),
+    dvec2(-1.0, -1.0),
+    dvec2(1.0, 1.0),
+    dvec2(-1.0, 1.0),
+];
+
+impl Label {
+    fn svg(&self) -> String {
+        let Self { class, position: DVec2 { x, y }, text } = self;
+        let parts = text.split('$').zip([escape, symbol_spans].into_iter().cycle());
+        let spans: String = parts.map(|(part, spans)| spans(part)).collect();
+        format!(r#"<text class="{class}" x="{x:.1}" y="{y:.1}">{spans}</text>"#)
     }
 }
 
@@ -110,11 +174,11 @@ mod tests {
     #[test]
     fn text_between_dollar_signs_is_a_symbol() {
         let mut drawing = Drawing::new(100.0);
-        drawing.label("quiet", DVec2::ZERO, "$t$ < 2");
+        drawing.label("quiet", DVec2::splat(50.0), "$t$ < 2");
         let spans = "<tspan class=\"math\">𝑡</tspan> &lt; 2";
         assert_eq!(
             drawing.svg_elements(),
-            format!("<text class=\"quiet\" x=\"0.0\" y=\"0.0\">{spans}</text>")
+            format!("<text class=\"quiet\" x=\"50.0\" y=\"50.0\">{spans}</text>")
         );
     }
 
@@ -124,5 +188,18 @@ mod tests {
         assert!(
             html.contains("viewBox=\"0 0 480 100\"") && html.contains("<title>a &amp; b</title>")
         );
+    }
+
+    #[test]
+    fn label_gives_way_to_the_border_and_to_earlier_labels() {
+        let mut drawing = Drawing::new(100.0);
+        for position in [DVec2::ZERO, DVec2::ZERO, dvec2(480.0, 100.0)] {
+            drawing.label("", position, "label");
+        }
+        let boxes: Vec<LabelBox> = drawing.label_boxes().map(|(_, label_box)| label_box).collect();
+        for (k, label_box) in boxes.iter().enumerate() {
+            assert_eq!(label_box.shift_into(dvec2(WIDTH, 100.0)), DVec2::ZERO);
+            assert!(!boxes[..k].iter().any(|other| label_box.overlaps(other)));
+        }
     }
 }

@@ -16,9 +16,11 @@ pub use format::{format_count, short_name};
 use format::{format_number, format_rounded, format_vector};
 
 mod drawing;
+mod label_box;
 mod text_markup;
 mod view;
-pub use drawing::Drawing;
+pub use drawing::{Drawing, WIDTH};
+pub use label_box::LabelBox;
 pub use text_markup::{escape, italic_letter};
 use view::{View, direction_left_of_up};
 

@@ -192,7 +192,7 @@ fn reply_at(figure: &Figure, values: &ParameterValues, columns: Option<u32>) -> 
     match (&figure.content, columns) {
         (_, None) => {}
         (Content::Drawing { draw, .. }, _) => {
-            fields.push(("drawing", json::quote(draw(values).svg_elements())));
+            fields.push(("drawing", json::quote(&draw(values).svg_elements())));
         }
         (Content::Picture { draw }, Some(columns)) => {
             let image = draw(values, columns);

@@ -3,7 +3,7 @@
 
 use course::{Step, find_picture};
 use figures::{
-    COLUMNS, Content, FIGURES, Figure, ParameterValues, Reply, find_figure, format_address,
+    COLUMNS, Content, FIGURES, Figure, ParameterValues, Reply, WIDTH, find_figure, format_address,
     parse_address, reply,
 };
 use glam::{DVec2, dvec2};
@@ -111,6 +111,46 @@ fn replies_are_as_locked() {
         }));
         assert_snapshot!(figure.name, replies(&requests));
     }
+}
+
+/// The default values, and those with each parameter at both ends of its range, alone and together
+/// with the others.
+fn values_at_limits(figure: &Figure) -> Vec<ParameterValues> {
+    let mut all = vec![figure.default_values()];
+    for end in [0, 1] {
+        let mut together = figure.default_values();
+        for parameter in &figure.parameters {
+            let mut values = figure.default_values();
+            for values in [&mut values, &mut together] {
+                values.set(parameter.id, parameter.range[end]);
+            }
+            all.push(values);
+        }
+        all.push(together);
+    }
+    all.into_iter().filter_map(|values| figure.snap_if_allowed(&values)).collect()
+}
+
+#[test]
+fn labels_are_inside_their_drawing_and_on_no_other_label() {
+    let mut faults = vec![];
+    for figure in FIGURES.iter() {
+        let Content::Drawing { draw, .. } = figure.content else { continue };
+        for values in values_at_limits(figure).iter().chain(&values_to_lock(figure)) {
+            let drawing = draw(values);
+            let size = dvec2(WIDTH, drawing.height());
+            let labels: Vec<_> = drawing.label_boxes().collect();
+            for (k, (text, label_box)) in labels.iter().enumerate() {
+                let place = format!("{} {}: {text}", figure.name, format_address(figure, values));
+                if label_box.shift_into(size) != DVec2::ZERO {
+                    faults.push(format!("{place} is cut off"));
+                }
+                let below = labels[..k].iter().find(|(_, other)| label_box.overlaps(other));
+                faults.extend(below.map(|(other, _)| format!("{place} overlaps {other}")));
+            }
+        }
+    }
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
 }
 
 /// Each handle with its position at these values, and its parameters after it is dragged.

@@ -107,9 +107,11 @@ fn draw(values: &ParameterValues) -> Drawing {
     for Object { sphere, material, .. } in &world.balls {
         let is_seen = hits.iter().any(|hit| hit.point.material() == material);
         let class = if is_seen { "object seen" } else { "object" };
-        drawing.circle(class, position(sphere.centre), VIEW.scale.x * sphere.radius);
-        // Next to the handle, which is large on a phone.
-        let label = position(sphere.centre) + dvec2(25.0, 5.0);
+        let radius = VIEW.scale.x * sphere.radius;
+        drawing.circle(class, position(sphere.centre), radius);
+        // Next to the handle, which is large on a phone, and not on the outline.
+        let right = if radius < 35.0 { radius + 10.0 } else { 25.0 };
+        let label = position(sphere.centre) + dvec2(right, 5.0);
         drawing.label("over", label, &material.to_string());
     }
     // A ray that hits nothing is drawn to beyond the edge.
@@ -132,7 +134,7 @@ fn draw(values: &ParameterValues) -> Drawing {
         names.extend([(p - 0.4 * n, "$p$"), (p + 0.95 * n, "$n$")]);
     }
     for (point, name) in names {
-        drawing.label("strong over", position(point).max(DVec2::Y * 11.0) + DVec2::Y * 5.0, name);
+        drawing.label("strong over", position(point) + DVec2::Y * 5.0, name);
     }
     drawing
 }

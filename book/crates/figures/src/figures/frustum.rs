@@ -72,13 +72,11 @@ fn draw(values: &ParameterValues) -> Drawing {
     for ray in sides {
         drawing.line("guide", side_view_position(ray.start), side_view_position(ray.at(5.4)));
     }
-    // However close the planes are to each other, their names don't overlap.
     for ([upper, lower], class, name) in
         [(near, "quiet over end", "near plane"), (far, "quiet over start", "far plane")]
     {
         drawing.line("plane", upper, lower);
-        let label = upper.clamp(dvec2(76.0, 0.0), dvec2(408.0, 300.0)) - dvec2(0.0, 10.0);
-        drawing.label(class, label, name);
+        drawing.label(class, upper - dvec2(0.0, 10.0), name);
     }
     for sphere in BALLS {
         let part = part_between(&sphere, planes);

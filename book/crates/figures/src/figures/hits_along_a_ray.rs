@@ -4,7 +4,7 @@ use super::*;
 use std::iter::zip;
 use step03_nearest::{Object, Ray, Sphere, nearest};
 
-const VIEW: View = View { origin: dvec2(150.0, 100.0), scale: dvec2(44.0, 44.0) };
+const VIEW: View = View { origin: dvec2(150.0, 112.0), scale: dvec2(44.0, 44.0) };
 
 /// The spheres' centres and radii.
 const SPHERES: [(PointId, f64); 3] = [
@@ -44,23 +44,23 @@ fn draw(values: &ParameterValues) -> Drawing {
     let objects: Vec<Object<usize>> = objects.collect();
     let position = |t: f64| VIEW.to_drawing(ray.at(t).truncate());
     let nearest_hit = nearest(&objects, &ray);
-    let mut drawing = Drawing::new(244.0);
+    let mut drawing = Drawing::new(276.0);
     for Object { sphere, material: k, .. } in &objects {
         let is_hit = nearest_hit.is_some_and(|hit| hit.object.material == *k);
         let class = if is_hit { "object seen" } else { "object" };
         let centre = VIEW.to_drawing(sphere.centre.truncate());
         let radius = VIEW.scale.x * sphere.radius;
         drawing.circle(class, centre, radius);
-        let label = (centre - dvec2(0.0, radius + 9.0)).max(dvec2(0.0, 14.0));
-        drawing.label("quiet", label, &format!("$k$ = {k}"));
+        let label = centre - dvec2(0.0, radius + 9.0);
+        drawing.label("quiet over", label, &format!("$k$ = {k}"));
     }
     drawing.line("guide", position(-2.7), position(0.0));
     drawing.arrow("ray", position(0.0), position(7.2));
     drawing.dot("eye", position(0.0));
-    drawing.label("strong", position(0.0) + dvec2(0.0, -12.0), "$S$");
+    drawing.label("strong over", position(0.0) + dvec2(0.0, -12.0), "$S$");
     for Object { sphere, material: k, .. } in &objects {
         // One row per sphere. Its two numbers are written outwards, so that they don't overlap.
-        let y = 190.0 + 20.0 * *k as f64;
+        let y = 222.0 + 20.0 * *k as f64;
         for (t, anchor) in sphere.intersect(&ray).into_iter().zip(["end", "start"]) {
             let (dot, label) = match nearest_hit {
                 Some(hit) if hit.t == t => ("hit", "hit"),
@@ -74,6 +74,6 @@ fn draw(values: &ParameterValues) -> Drawing {
             drawing.label(&class, dvec2(position(t).x + shift, y), &format_rounded(t, 1));
         }
     }
-    drawing.label("over", dvec2(24.0, 172.0), "$t$ =");
+    drawing.label("over", dvec2(24.0, 204.0), "$t$ =");
     drawing
 }

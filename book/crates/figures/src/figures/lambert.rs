@@ -91,7 +91,7 @@ fn draw_beam(drawing: &mut Drawing, ground: DVec2, degrees: f64) {
             drawing.label("over", foot(1.0) + dvec2(0.0, 22.0), "$B$");
             drawing.label("over", end + 14.0 * across + dvec2(2.0, 5.0), "$C$");
         } else {
-            drawing.label("strong over", corner + 66.0 * across + dvec2(3.0, 24.0), "$w$");
+            drawing.label("strong over", ground + dvec2(0.0, 24.0), "$w$");
         }
     }
     let label = format!("cos {degrees}° = {}", format_rounded(l.y, 3));

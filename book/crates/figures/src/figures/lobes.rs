@@ -37,9 +37,14 @@ fn draw(values: &ParameterValues) -> Drawing {
     let mut drawing = Drawing::new(300.0);
     drawing.line("plane", dvec2(30.0, 258.0), dvec2(450.0, 258.0));
     let on_lobe = |n: i32, v: DVec2| VIEW.to_drawing(r.dot(v).max(0.0).powi(n) * v);
-    for n in [1, 10, 40, reader_n] {
+    // The reader's lobe is on top of the others, in a different colour.
+    let mut exponents = vec![1, 10, 40];
+    exponents.retain(|&n| n != reader_n);
+    exponents.push(reader_n);
+    let class_of = |n: i32| if n == reader_n { "lobe chosen" } else { "lobe" };
+    for &n in &exponents {
         let directions = (0..=180).map(|k| DVec2::from_angle(f64::from(k).to_radians()));
-        drawing.area("lobe", directions.map(|v| on_lobe(n, v)));
+        drawing.area(class_of(n), directions.map(|v| on_lobe(n, v)));
     }
     drawing.arc("guide", VIEW.origin, 111.0, [0.0, PI]);
     for (class, tip, name, shift) in [
@@ -48,15 +53,19 @@ fn draw(values: &ParameterValues) -> Drawing {
         ("vector", 1.12 * r, "$r$", dvec2(10.0, -2.0)),
     ] {
         drawing.arrow(class, VIEW.origin, VIEW.to_drawing(tip));
-        drawing.label("strong", VIEW.to_drawing(tip) + shift, name);
+        drawing.label("strong over", VIEW.to_drawing(tip) + shift, name);
     }
-    let labels = [(1, 0.12, 226.0), (10, 0.44, 190.0), (40, 0.6, 154.0), (reader_n, 0.7, 118.0)];
-    for (n, angle, y) in labels {
+    // The legend, with the widest lobe at the bottom.
+    exponents.sort_unstable();
+    for (n, (angle, y)) in
+        exponents.into_iter().zip([(0.12, 226.0), (0.44, 190.0), (0.6, 154.0), (0.7, 118.0)])
+    {
         // The leader ends on the lobe, to the right of r and above the ground.
         let v = DVec2::from_angle((r.to_angle() - FRAC_PI_4 + angle).max(0.0));
         let label = dvec2(418.0, y);
         drawing.line("axis", on_lobe(n, v), label - dvec2(5.0, 5.0));
-        drawing.label("quiet start", label, &n.to_string());
+        let class = if n == reader_n { "accent start" } else { "quiet start" };
+        drawing.label(class, label, &n.to_string());
     }
     drawing.label("quiet start", dvec2(418.0, 90.0), "$n$ =");
     drawing.label("quiet", VIEW.origin + dvec2(-111.0, 22.0), "one half");

@@ -48,6 +48,9 @@ fn draw(values: &ParameterValues) -> Drawing {
         drawing.arrow(class, p, tip);
         drawing.label("strong over", tip + shift, name);
     }
+    if n.dot(l) < 0.0 {
+        drawing.label("quiet over", p + dvec2(0.0, 34.0), "$n$·$l$ < 0: no highlight");
+    }
     drawing.dot("hit", p);
     drawing
 }

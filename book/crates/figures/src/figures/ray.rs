@@ -72,7 +72,7 @@ fn tip(values: &ParameterValues) -> DVec2 {
 }
 
 fn is_in_drawing(position: DVec2) -> bool {
-    position.clamp(DVec2::splat(8.0), SIZE - 8.0) == position
+    position.clamp(DVec2::splat(14.0), SIZE - 14.0) == position
 }
 
 fn draw(values: &ParameterValues) -> Drawing {
@@ -98,7 +98,10 @@ fn draw(values: &ParameterValues) -> Drawing {
     let (_, t) = ray_and_t(values);
     let sign = if t < 0.0 { '−' } else { '+' };
     let label = format!("$S$ {sign} {}$V$", format_rounded(t.abs(), 2));
-    drawing.label("over", position(t) + dvec2(-10.0, -24.0), &label);
+    // Above the ray, or below it near the top of the drawing.
+    let above = position(t) + dvec2(-10.0, -24.0);
+    let label_position = if above.y < 14.0 { position(t) + dvec2(-10.0, 30.0) } else { above };
+    drawing.label("over", label_position, &label);
     drawing
 }
 

@@ -4,7 +4,7 @@ use super::*;
 use step05_phong::reflect;
 
 /// Maps the plane of the vectors to the drawing. The origin is the point on the rim.
-const VIEW: View = View { origin: dvec2(240.0, 116.0), scale: DVec2::splat(160.0) };
+const VIEW: View = View { origin: dvec2(240.0, 150.0), scale: DVec2::splat(160.0) };
 
 /// The ball's radius in the drawing.
 const RADIUS: f64 = 640.0;
@@ -43,14 +43,15 @@ fn vectors(values: &ParameterValues) -> [DVec3; 4] {
 }
 
 fn draw(values: &ParameterValues) -> Drawing {
-    let mut drawing = Drawing::new(280.0);
+    let mut drawing = Drawing::new(314.0);
     let p = VIEW.origin;
     let [n, l, r, v] = vectors(values);
     let up = dvec2(n.x, -n.y);
     drawing.circle("object", p - RADIUS * up, RADIUS);
     drawing.line("guide", p - 190.0 * up.perp(), p + 190.0 * up.perp());
+    let beside_l = if l.y > 0.2 { dvec2(0.0, -10.0) } else { dvec2(30.0, 24.0) };
     let arrows = [
-        ("light", l, "$l$, to the lamp", dvec2(30.0, 24.0)),
+        ("light", l, "$l$, to the lamp", beside_l),
         ("second", n, "$n$", dvec2(14.0, 8.0)),
         ("vector", r, "$r$", dvec2(-2.0, 20.0)),
         ("accent", v, "$v$, to you", dvec2(0.0, -10.0)),

@@ -1,0 +1,35 @@
+//! An algorithm in words, with the name of a step at the end of some lines.
+
+use figures::escape;
+
+/// The HTML of an algorithm. The name of a step, which has two blanks or more before it, gets an
+/// element of its own, so that the style can put it below its line on a narrow screen.
+pub fn html(text: &str) -> String {
+    let lines = text.split_inclusive('\n').map(|line| match split_line(line) {
+        Some((words, step)) => format!("{}<span>{}</span>", escape(words), escape(step)),
+        None => escape(line),
+    });
+    format!("<pre class=\"algorithm\"><code>{}</code></pre>\n", lines.collect::<String>())
+}
+
+/// Splits a line into its words, and the name of the step with the blanks before it. Returns None
+/// if there is no such name.
+fn split_line(line: &str) -> Option<(&str, &str)> {
+    let (words, _) = line.rsplit_once("  ")?;
+    let words = words.trim_end();
+    words.contains(char::is_alphabetic).then(|| line.split_at(words.len()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn name_of_a_step_is_an_element_with_the_end_of_its_line() {
+        assert_eq!(
+            html("●  a & b    step 1\n       else\n"),
+            "<pre class=\"algorithm\"><code>●  a &amp; b<span>    step 1\n</span>       else\n\
+             </code></pre>\n"
+        );
+    }
+}

@@ -1,0 +1,160 @@
+//! Checks that the elements of every page are nested as HTML asks: each is closed inside the element
+//! that it was opened in, and text such as a label contains no blocks.
+//!
+//! A browser mends all of this, each time in a way that nobody wrote.
+
+use crate::Site;
+use crate::page::{is_void, tokens};
+use html5ever::tokenizer::{TagKind, Token};
+use thiserror::Error;
+
+/// Elements that contain only text and elements of text.
+const TEXT: [&str; 23] = [
+    "b", "button", "cite", "code", "del", "em", "h1", "h2", "h3", "h4", "i", "ins", "kbd", "label",
+    "option", "output", "p", "pre", "small", "span", "strong", "sub", "sup",
+];
+
+/// Elements that are blocks.
+const BLOCKS: [&str; 28] = [
+    "article",
+    "aside",
+    "blockquote",
+    "dd",
+    "details",
+    "dialog",
+    "div",
+    "dl",
+    "dt",
+    "figure",
+    "footer",
+    "form",
+    "h1",
+    "h2",
+    "h3",
+    "h4",
+    "header",
+    "hr",
+    "li",
+    "main",
+    "nav",
+    "ol",
+    "p",
+    "pre",
+    "section",
+    "summary",
+    "table",
+    "ul",
+];
+
+/// A tag that stands where it may not.
+#[derive(Debug, Error)]
+#[error("{page}:{line}: {error}")]
+pub struct NestingFault {
+    page: String,
+    /// The line in the finished page.
+    line: u64,
+    error: NestingError,
+}
+
+/// Everything that can be wrong with a tag.
+#[derive(Debug, Error, PartialEq)]
+enum NestingError {
+    #[error("</{end}> stands inside of <{open}>, which isn't closed")]
+    Unclosed { end: String, open: String },
+    #[error("</{0}> closes nothing")]
+    ClosesNothing(String),
+    #[error("<{0}> is never closed")]
+    NeverClosed(String),
+    #[error("<{block}> can't stand inside of <{text}>")]
+    BlockInText { block: String, text: String },
+    #[error("{0}")]
+    Syntax(String),
+}
+
+/// Finds the misplaced tags of all pages.
+pub fn find_faults(site: &Site) -> Vec<NestingFault> {
+    let pages = site.files.texts_with_suffix(".html");
+    let faults = pages.flat_map(|(page, html)| {
+        misplaced_tags(html).into_iter().map(|(line, error)| NestingFault {
+            page: page.to_owned(),
+            line,
+            error,
+        })
+    });
+    faults.collect()
+}
+
+/// The misplaced tags of a page, each with its line.
+fn misplaced_tags(html: &str) -> Vec<(u64, NestingError)> {
+    let (mut errors, mut open) = (vec![], Vec::<String>::new());
+    let mut last_line = 0;
+    for (token, line) in tokens(html) {
+        last_line = line;
+        match token {
+            Token::TagToken(tag) if tag.kind == TagKind::StartTag => {
+                let block = tag.name.to_string();
+                let text = open.iter().find(|name| TEXT.contains(&&***name));
+                if let Some(text) = text.filter(|_| BLOCKS.contains(&&*block)) {
+                    let text = text.clone();
+                    errors.push((line, NestingError::BlockInText { block: block.clone(), text }));
+                }
+                if block == "li" && open.last().is_some_and(|name| name == "li") {
+                    let text = block.clone();
+                    errors.push((line, NestingError::BlockInText { block: block.clone(), text }));
+                }
+                if !tag.self_closing && !is_void(&block) {
+                    open.push(block);
+                }
+            }
+            Token::TagToken(tag) => {
+                let end = tag.name.to_string();
+                match open.iter().rposition(|name| *name == end) {
+                    Some(level) => {
+                        if let Some(inner) = open.get(level + 1) {
+                            let open = inner.clone();
+                            errors.push((line, NestingError::Unclosed { end, open }));
+                        }
+                        open.truncate(level);
+                    }
+                    None => errors.push((line, NestingError::ClosesNothing(end))),
+                }
+            }
+            Token::ParseError(error) => {
+                errors.push((line, NestingError::Syntax(error.into_owned())));
+            }
+            _ => {}
+        }
+    }
+    errors.extend(open.into_iter().map(|name| (last_line, NestingError::NeverClosed(name))));
+    errors
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn errors(html: &str) -> Vec<String> {
+        misplaced_tags(html).into_iter().map(|(line, error)| format!("{line}: {error}")).collect()
+    }
+
+    #[test]
+    fn page_with_all_its_tags_has_no_faults() {
+        let html = "<!DOCTYPE html><ul><li><p>a<br>b</p></li></ul><svg><path d=\"\"/></svg>\
+                    <script>if (a < b) \"</p>\";</script>";
+        assert_eq!(errors(html), [""; 0]);
+    }
+
+    #[test]
+    fn misplaced_tags_are_found_with_their_lines() {
+        for (html, error) in [
+            ("<ul><li>\n<li>a</li></li></ul>", ["2: <li> can't stand inside of <li>"].as_slice()),
+            ("<p>\n<b>a</p>", &["2: </p> stands inside of <b>, which isn't closed"]),
+            ("<p>a</p></p>", &["1: </p> closes nothing"]),
+            ("<div>", &["1: <div> is never closed"]),
+            ("<span>\n<div></div></span>", &["2: <div> can't stand inside of <span>"]),
+        ] {
+            assert_eq!(errors(&format!("<!DOCTYPE html>{html}")), error, "{html}");
+        }
+        assert!(!errors("<p =a>b</p>").is_empty());
+    }
+}

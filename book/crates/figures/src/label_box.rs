@@ -1,0 +1,109 @@
+//! The room that a label needs in a drawing.
+
+use glam::DVec2;
+
+/// A rectangle that contains the text of a label.
+///
+/// The width is an estimate from the characters, because only a browser knows the fonts. A test in
+/// tests/browser looks for real labels that overlap.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LabelBox {
+    min: DVec2,
+    max: DVec2,
+}
+
+impl LabelBox {
+    /// The box of a text of this class whose baseline is at `position`.
+    pub fn new(class: &str, position: DVec2, text: &str) -> Self {
+        let has = |name: &str| class.split(' ').any(|one| one == name);
+        // The theme's css/drawing.css has these sizes, and the larger ones for a phone.
+        let size = match () {
+            () if ["strong", "accent", "second"].into_iter().any(has) => 18.0,
+            () if ["quiet", "small"].into_iter().any(has) => 15.5,
+            () => 16.0,
+        };
+        let width = size * width_in_em(text);
+        let left = match () {
+            () if has("start") => 0.0,
+            () if has("end") => width,
+            () => width / 2.0,
+        };
+        let min = position - DVec2::new(left, 0.74 * size);
+        Self { min, max: min + DVec2::new(width, 0.98 * size) }
+    }
+
+    /// The smallest shift that moves the box inside a drawing of this size.
+    pub fn shift_into(&self, size: DVec2) -> DVec2 {
+        (-self.min).max(DVec2::ZERO) - (self.max - size).max(DVec2::ZERO)
+    }
+
+    /// Whether the two boxes have an area in common, or hardly any room between them.
+    pub fn overlaps(&self, other: &Self) -> bool {
+        let room = 2.0;
+        self.min.cmplt(other.max + room).all() && other.min.cmplt(self.max + room).all()
+    }
+}
+
+/// The width of a text in units of the font's size. Symbols are between dollar signs.
+fn width_in_em(text: &str) -> f64 {
+    let mut is_symbol = false;
+    let mut previous = ' ';
+    let mut width = 0.0;
+    for letter in text.chars() {
+        match letter {
+            '$' => is_symbol = !is_symbol,
+            '_' if is_symbol => {}
+            _ if is_symbol && previous == '_' => width += 0.45,
+            // They are larger than letters, and capitals lean.
+            'A'..='Z' if is_symbol => width += 0.88,
+            _ if is_symbol => width += 1.08 * letter_width(letter),
+            _ => width += letter_width(letter),
+        }
+        previous = letter;
+    }
+    width
+}
+
+/// The width of a letter in units of the font's size.
+fn letter_width(letter: char) -> f64 {
+    match letter {
+        'i' | 'j' | 'l' | '.' | ',' | ':' | ';' | '·' | ' ' | '\'' => 0.26,
+        'f' | 't' | 'r' | '(' | ')' | '/' => 0.37,
+        'm' | 'w' | 'M' | 'W' => 0.83,
+        'A'..='Z' => 0.66,
+        _ => 0.54,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn box_begins_or_ends_at_its_position() {
+        let position = DVec2::new(100.0, 50.0);
+        let [start, middle, end] =
+            ["start", "", "end"].map(|class| LabelBox::new(class, position, "four"));
+        assert_eq!((start.min.x, end.max.x), (100.0, 100.0));
+        assert_eq!((middle.min.x + middle.max.x) / 2.0, 100.0);
+    }
+
+    #[test]
+    fn boxes_need_room_between_them() {
+        let box_at = |x| LabelBox { min: DVec2::new(x, 0.0), max: DVec2::new(x + 10.0, 10.0) };
+        let overlaps = [5.0, 11.0, 13.0].map(|x| box_at(0.0).overlaps(&box_at(x)));
+        assert_eq!(overlaps, [true, true, false]);
+    }
+
+    #[test]
+    fn box_is_shifted_only_as_far_as_needed() {
+        let label_box = LabelBox { min: DVec2::new(-3.0, 5.0), max: DVec2::new(20.0, 104.0) };
+        assert_eq!(label_box.shift_into(DVec2::splat(100.0)), DVec2::new(3.0, -4.0));
+    }
+
+    #[test]
+    fn subscripts_and_dollar_signs_need_little_room() {
+        assert!(width_in_em("$V_0$") < width_in_em("V_0") + 0.1);
+        assert_eq!(width_in_em("$$"), 0.0);
+    }
+}
