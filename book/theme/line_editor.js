@@ -238,6 +238,9 @@
         if (reply.size) book.paint(canvas, reply);
         if (columns !== LARGE) return;
         record();
+        // A reader who has scrolled away in the meantime isn't brought back.
+        const { top, bottom } = line.getBoundingClientRect();
+        const isInView = bottom > 0 && top < innerHeight;
         const wrong = reply.line ? find(reply.line) : null;
         mark(wrong, reply.from, reply.to);
         if (wrong) {
@@ -247,7 +250,7 @@
         } else {
             say(undone + (reply.known || "Drawn with what you wrote. The address of the page holds it now."));
         }
-        keepInView();
+        if (isInView) keepInView();
     }
 
     // Says a sentence. A list after it is folded if there is little room.
