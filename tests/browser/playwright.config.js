@@ -23,7 +23,7 @@ export default defineConfig({
   testDir: '.',
   outputDir: '../../target/browser-tests',
   fullyParallel: true,
-  workers: 2,
+  workers: 3,
   timeout: 60_000,
   use: { actionTimeout: 15_000 },
   forbidOnly: true,
