@@ -11,8 +11,8 @@ use std::fs;
 use std::path::PathBuf;
 
 /// Compares `picture` with the locked picture `name`, pixel by pixel. `assert` receives a PNG file
-/// and hands it to insta. If all pixels are equal, that is the locked file itself, since a
-/// different version of the encoder may encode the same pixels as different bytes.
+/// and hands it to insta. If all pixels are equal, it receives the locked file itself rather than a
+/// new encoding, because a different version of the encoder may produce different bytes.
 ///
 /// If any pixels differ, first prints a sentence about them and the command that accepts the new
 /// picture, and saves both pictures and their difference in the target folder.
@@ -20,8 +20,8 @@ pub fn compare_pixels(name: &str, picture: &RgbImage, assert: impl FnOnce(Vec<u8
     let mut settings = Settings::clone_current();
     settings.set_prepend_module_to_snapshot(false);
     settings.set_omit_expression(true);
-    // Where the panels are by default. It ignores a target folder that is elsewhere, because the
-    // snapshot has to be the same on every machine.
+    // The default path of the saved comparison. A custom target folder is ignored, because this
+    // description is a part of the snapshot, which has to be the same on every machine.
     settings.set_description(format!("target/differences/{name}.png"));
     let mismatch = describe_and_save_mismatch(name, picture);
     match &mismatch {

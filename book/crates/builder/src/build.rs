@@ -134,7 +134,7 @@ mod tests {
     use std::{env, process};
 
     /// Creates a folder with a draft and an old book in it, and returns all three paths.
-    fn create_folders(name: &str) -> (PathBuf, PathBuf, PathBuf) {
+    fn create_draft_and_old_book(name: &str) -> (PathBuf, PathBuf, PathBuf) {
         let around = env::temp_dir().join(format!("{name}-{}", process::id()));
         let _ = fs::remove_dir_all(&around);
         let (draft, book) = (around.join("book.draft"), around.join("book"));
@@ -159,7 +159,7 @@ mod tests {
 
     #[test]
     fn draft_takes_the_place_of_the_old_book() {
-        let (around, draft, book) = create_folders("replace_folder");
+        let (around, draft, book) = create_draft_and_old_book("replace_folder");
         replace_folder(&draft, &book).expect("replaced");
         assert_eq!(read_index(&book), "new");
         assert_eq!(fs::read_dir(&around).expect("a folder").count(), 1);
@@ -168,7 +168,7 @@ mod tests {
 
     #[test]
     fn old_book_is_put_back_if_there_is_no_draft() {
-        let (around, draft, book) = create_folders("no_draft");
+        let (around, draft, book) = create_draft_and_old_book("no_draft");
         fs::remove_dir_all(&draft).expect("removed");
         assert!(replace_folder(&draft, &book).is_err());
         assert_eq!(read_index(&book), "old");
@@ -177,7 +177,7 @@ mod tests {
 
     #[test]
     fn book_that_a_killed_build_put_aside_is_put_back() {
-        let (around, _, book) = create_folders("put_aside");
+        let (around, _, book) = create_draft_and_old_book("put_aside");
         fs::rename(&book, book.with_extension("old1")).expect("put aside");
         restore_folder(&book).expect("put back");
         assert_eq!(read_index(&book), "old");
@@ -193,7 +193,7 @@ mod tests {
 
     #[test]
     fn lock_keeps_what_is_in_it_and_is_no_link() {
-        let (around, _, book) = create_folders("lock");
+        let (around, _, book) = create_draft_and_old_book("lock");
         let lock = around.join("book.lock");
         fs::write(&lock, "text").expect("a file");
         open_lock(&lock).expect("a lock");

@@ -93,7 +93,7 @@ mod tests {
     }
 
     #[test]
-    fn live_number_that_the_conversion_loses_is_an_error() {
+    fn live_number_missing_from_the_mathml_is_an_error() {
         let error = fill_in_formula("{{#number row:D}}", &Values::default(), |_| Ok(String::new()));
         assert!(matches!(error, Err(ChapterError::NumberInFormula(name)) if name == "row:D"));
     }

@@ -14,7 +14,7 @@ use std::mem;
 pub enum Interaction<'a> {
     /// With all of the figure's handles and controls, as soon as it comes near the view.
     Live(&'a Figure),
-    /// Once it is touched, and without controls: the picture of step 5, for instance, only says
+    /// Starts when it is touched, and has no controls. For example, the preview of step 5 only says
     /// what the ray of a pixel meets.
     Preview(&'a Figure),
 }
@@ -62,11 +62,11 @@ pub fn markdown_html(
     let end = format!("]({source}");
     let alt = markdown.trim_start_matches("![").split(&end);
     let alt: Vec<_> = alt.take(1).flat_map(str::split_whitespace).collect();
-    html(&effect_of_picture(source).unwrap_or(alt.join(" ")), source, sources, loading)
+    html(&mistake_effect_of_picture(source).unwrap_or(alt.join(" ")), source, sources, loading)
 }
 
 /// Returns what the list of mistakes says about a mistake's picture, or None for any other picture.
-fn effect_of_picture(source: &str) -> Option<String> {
+fn mistake_effect_of_picture(source: &str) -> Option<String> {
     let name = source.strip_prefix("generated/mistake-")?.strip_suffix(".png")?;
     let all = mistakes();
     let mut shown = all.iter().filter_map(|mistake| mistake.shown.as_ref());
@@ -89,7 +89,7 @@ pub fn html(
     }
     let (width, height) = sources.picture_size(source).ok_or_else(|| {
         let source = source.to_owned();
-        match effect_of_picture(&source) {
+        match mistake_effect_of_picture(&source) {
             Some(_) => ChapterError::UndrawnMistake(source),
             None => ChapterError::UnknownPicture(source),
         }

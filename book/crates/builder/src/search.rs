@@ -16,7 +16,7 @@ pub const READER_WORDS: &str = include_str!("../search_words.txt");
 ///
 /// A section that `reader_words` names but the book doesn't have is a fault.
 pub fn index_script(site: &Site, reader_words: &str) -> Result<String> {
-    let ReaderWords { mut phrases, hints, synonyms } = ReaderWords::parse(reader_words);
+    let SearchVocabulary { mut phrases, hints, synonyms } = SearchVocabulary::parse(reader_words);
     let mut addresses = BTreeSet::new();
     let pages = site.pages_in_order().into_iter().map(|page| {
         let sections = sections(page).map(|[id, title, prose, listings]| {
@@ -46,7 +46,7 @@ pub fn index_script(site: &Site, reader_words: &str) -> Result<String> {
 
 /// What readers type that the book doesn't say.
 #[derive(Debug, Default, PartialEq)]
-struct ReaderWords<'a> {
+struct SearchVocabulary<'a> {
     /// By the address of a section, the phrases by which readers look for it.
     phrases: BTreeMap<&'a str, Vec<&'a str>>,
     /// The section to read, the compiler's messages, and a sentence that says what to do.
@@ -55,7 +55,7 @@ struct ReaderWords<'a> {
     synonyms: Vec<Vec<&'a str>>,
 }
 
-impl<'a> ReaderWords<'a> {
+impl<'a> SearchVocabulary<'a> {
     fn parse(text: &'a str) -> Self {
         let mut words = Self::default();
         let mut address = "";
@@ -133,7 +133,7 @@ mod tests {
 
     #[test]
     fn readers_words_are_not_empty_and_each_hint_has_its_sentence() {
-        let ReaderWords { phrases, hints, synonyms } = ReaderWords::parse(READER_WORDS);
+        let SearchVocabulary { phrases, hints, synonyms } = SearchVocabulary::parse(READER_WORDS);
         assert!(!phrases.contains_key(""), "words before the first address");
         for (_, messages, sentence) in &hints {
             assert!(sentence.ends_with('.'), "{messages:?} has no sentence");

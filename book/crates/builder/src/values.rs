@@ -99,8 +99,8 @@ fn measured_count(name: &str) -> Option<usize> {
         }),
         // Object 4 is the sphere behind the eye. Its roots are negative.
         "step03-behind" => count_rays(|ray| discriminant(&OBJECTS[4].sphere, ray) >= 0.0),
-        "step05-gate-pixels" => changes_without_gate().len(),
-        "step05-gate-most" => changes_without_gate().into_iter().max().unwrap_or(0),
+        "step05-gate-pixels" => ungated_pixel_differences().len(),
+        "step05-gate-most" => ungated_pixel_differences().into_iter().max().unwrap_or(0),
         _ => return None,
     })
 }
@@ -123,7 +123,7 @@ fn hit_indices(ray: &Ray) -> impl Iterator<Item = usize> {
 }
 
 /// Returns how much each pixel changes without the test of n·l, for the pixels that do change.
-fn changes_without_gate() -> Vec<usize> {
+fn ungated_pixel_differences() -> Vec<usize> {
     let scene = scene();
     let ungated = render(&camera(), 1, |ray| ungated_colour(&scene, ray));
     let picture = picture(&camera(), 1);

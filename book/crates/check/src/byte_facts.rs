@@ -50,8 +50,8 @@ pub(crate) fn one_colour_sentence(wrong: &[Pixel]) -> Option<String> {
     is_one.then(|| format!("Each wrong pixel is ({r}, {g}, {b})."))
 }
 
-/// Describes how your bytes follow from ours, if each value is always replaced by the same value.
-/// Returns None if that isn't so, or if few values changed and a wrong colour may be the reason.
+/// Describes your bytes as a function of ours, if equal bytes of ours always became equal bytes of
+/// yours. Returns None otherwise, or if so few values changed that a wrong colour could explain it.
 pub(crate) fn byte_map_sentence(comparison: &Comparison, scene: &StepScene) -> Option<String> {
     let mut yours_of_ours = [None; 256];
     for Pixel { yours, ours, .. } in comparison.pixels() {

@@ -36,7 +36,7 @@ pub enum CheckError {
 /// name is taken from the file name or, failing that, from the picture itself, if it equals a
 /// locked picture or the picture of a listed mistake.
 ///
-/// `right_picture` loads the locked picture of a name. Apart from that, this function reads
+/// `right_picture` loads the locked picture with a given name. Apart from that, this function reads
 /// nothing: no file, no argument, no clock.
 pub fn check_png<E: Into<Box<dyn error::Error + Send + Sync>>>(
     png: &[u8],

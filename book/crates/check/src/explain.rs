@@ -85,7 +85,7 @@ fn answer_with_options(
     mistakes.retain(|mistake| mistake.file != OPTIONS_FILE);
     let is_one_colour = options.is_one_colour();
     Answer {
-        details: options.details(),
+        details: Options::advice(),
         option_doubts: OptionDoubts { mistakes, is_one_colour },
         ..Answer::new(Verdict::OtherOptions, options.headline(title))
     }

@@ -100,8 +100,8 @@ impl Options {
         }
     }
 
-    /// The lines after the headline.
-    pub fn details(&self) -> Vec<String> {
+    /// The lines after the headline: our own options, and what to look at if no others were given.
+    pub fn advice() -> Vec<String> {
         vec![
             "Ours is drawn with the default options: --width 640 --aspect 16:9 --fov 60 --samples 1."
                 .to_owned(),

@@ -146,8 +146,8 @@ impl Mask {
         }
         let shapes = [
             Self::find_border,
-            Self::find_crossings,
-            Self::find_all_except_crossings,
+            Self::find_column_row_crossings,
+            Self::find_whole_columns_and_rows,
             Self::find_rectangles,
             Self::find_stride,
             Self::find_diagonals,
@@ -190,7 +190,7 @@ impl Mask {
 
     /// Finds all crossings of certain columns with certain rows, such as every other row or a
     /// rectangle.
-    fn find_crossings(&self) -> Option<Shape> {
+    fn find_column_row_crossings(&self) -> Option<Shape> {
         let columns: BTreeSet<_> = self.inside_positions().map(|(i, _)| i).collect();
         let rows: BTreeSet<_> = self.inside_positions().map(|(_, j)| j).collect();
         let is_crossing = |i: u32, j: u32| columns.contains(&i) && rows.contains(&j);
@@ -204,7 +204,7 @@ impl Mask {
 
     /// Finds everything except the crossings of certain columns with certain rows, such as lines
     /// between tiles.
-    fn find_all_except_crossings(&self) -> Option<Shape> {
+    fn find_whole_columns_and_rows(&self) -> Option<Shape> {
         let columns: BTreeSet<_> = (0..self.columns).collect();
         let rows: BTreeSet<_> = (0..self.rows).collect();
         let outside =

@@ -44,7 +44,7 @@ fn report_on_download<const COUNT: usize>(
 }
 
 /// Right pictures, wrong ones, and files that aren't pictures.
-struct Files {
+struct SubmittedFiles {
     rays: Vec<u8>,
     sphere: Vec<u8>,
     /// `rays` upside down.
@@ -57,8 +57,8 @@ struct Files {
     text: Vec<u8>,
 }
 
-fn downloaded_files() -> Files {
-    Files {
+fn submitted_files() -> SubmittedFiles {
+    SubmittedFiles {
         rays: locked_file("step01_rays"),
         sphere: locked_file("step02_sphere"),
         flipped: encode(image::imageops::flip_vertical(&locked_picture("step01_rays"))),
@@ -75,7 +75,7 @@ const FOLDERS: &str = "**Moodle, D2L Brightspace, Gradescope and GitHub**";
 /// report names it for a person to look at.
 #[test]
 fn made_up_downloads_are_reported_as_locked() {
-    let Files { rays, sphere, flipped, bgr, small, jpeg, text } = downloaded_files();
+    let SubmittedFiles { rays, sphere, flipped, bgr, small, jpeg, text } = submitted_files();
     let zip = || b"PK\x03\x04".to_vec();
     let reports = [
         report_on_download(

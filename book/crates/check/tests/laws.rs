@@ -42,7 +42,7 @@ fn right_programs_with_options_are_blamed_for_nothing() {
     for k in 0..40 {
         let step = Step::ALL[k % 5];
         let decimals = [1, 10, 100, 1000][k / 10];
-        // At smaller angles, the border doesn't show the sky, which gives away the decimals.
+        // The sky at the border gives away the decimals, and smaller angles don't show it there.
         let fov_degrees =
             f64::from(random.u32(40 * decimals..150 * decimals)) / f64::from(decimals);
         let (columns, rows) = (random.u32(16..200), random.u32(16..200));

@@ -75,7 +75,8 @@ fn camera_body(own: &OwnScene) -> String {
     )
 }
 
-/// The body of `picture` with shadows and mirrors: `mirror.rs` draws, and each ball has its `k`.
+/// The body of `picture` for a scene with shadows and mirrors. It draws with `mirror.rs`, and gives
+/// each ball its `k`, the part of its colour that is a mirror image.
 fn mirrors_body(own: &OwnScene) -> String {
     let arms = zip(&own.scene.objects, &own.mirror_parts)
         .map(|(object, k)| format!("            {:?} => {k:?},\n", object.name));
@@ -87,7 +88,7 @@ fn mirrors_body(own: &OwnScene) -> String {
 
     let camera = my_camera(camera);
     let Scene {{ objects, ambient_light, lights }} = my_scene();
-    // The part of its colour that each ball mirrors.
+    // How much of the colour of each ball is a mirror image.
     let k = |name| match name {{
 {}            _ => 0.0,
         }};

@@ -25,12 +25,12 @@ const MAX_OPERATIONS: u64 = 4_000_000;
 const DISTANCE: u32 = 12;
 
 /// A request from a page: the edited lines, each with its place, and the width of the picture.
-struct Edit<'a> {
+struct EditRequest<'a> {
     columns: u32,
     lines: Vec<(Place, &'a str)>,
 }
 
-impl<'a> Edit<'a> {
+impl<'a> EditRequest<'a> {
     /// Parses `COLUMNS NAME EXPRESSION`, optionally followed by more pairs of `NAME EXPRESSION`,
     /// each after U+001F. Returns None if the width isn't allowed or there is no line to draw.
     fn parse(words: &'a str) -> Option<Self> {
@@ -82,9 +82,9 @@ impl<'a> Edit<'a> {
 /// Draws a step with the reader's lines in it. Replies with the picture and the names that the
 /// first line may use, or with what is wrong: in which line, and from which byte to which. For a
 /// picture at full size, the reply also says whether it is right or the result of a known mistake.
-/// See [`Edit::parse`] for the format of `words`.
+/// See [`EditRequest::parse`] for the format of `words`.
 pub fn edit(words: &str) -> Reply {
-    let Some(edit) = Edit::parse(words) else {
+    let Some(edit) = EditRequest::parse(words) else {
         return Reply::default();
     };
     match edit.draw() {
@@ -124,7 +124,7 @@ fn utf16_range(text: &str, bytes: &Range<usize>) -> Range<usize> {
 }
 
 /// Describes a picture that is right, or that a listed mistake in the edited line would produce.
-fn describe(edit: &Edit, picture: &RgbImage) -> Option<String> {
+fn describe(edit: &EditRequest, picture: &RgbImage) -> Option<String> {
     let lines = &edit.lines;
     let (place, _) = lines.first()?;
     let (step, hash) = (place.step_name(), hash_picture(picture));
@@ -153,7 +153,7 @@ fn describe(edit: &Edit, picture: &RgbImage) -> Option<String> {
 /// A sentence about lines that change no pixel of step 2, where a picture shows whether a ray meets
 /// the ball, but not at which t: which later step shows what they change. None if that would take
 /// too long to find out.
-fn describe_later_steps(edit: &Edit) -> Option<String> {
+fn describe_later_steps(edit: &EditRequest) -> Option<String> {
     let lines = edit.expressions().ok()?;
     let blind = "This picture can't show what you changed here: it shows whether a ray meets the \
                  ball, not at which t.";
@@ -191,7 +191,7 @@ mod tests {
     use super::*;
 
     fn parse(words: &str) -> Option<(u32, Vec<(&str, &str)>)> {
-        let edit = Edit::parse(words)?;
+        let edit = EditRequest::parse(words)?;
         let lines = edit.lines.iter().map(|(place, text)| (place.name, *text));
         Some((edit.columns, lines.collect()))
     }

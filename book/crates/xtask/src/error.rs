@@ -8,9 +8,9 @@ use thiserror::Error;
 /// Why something wasn't regenerated. The message is for whoever ran the command.
 #[derive(Debug, Error)]
 pub enum XtaskError {
-    #[error("cargo xtask takes no arguments, and got {0}")]
+    #[error("cargo xtask takes no arguments, but got {0}")]
     Argument(String),
-    #[error("the code of the mistake \"{title}\" is {count} times in {file}, and not once")]
+    #[error("the code of the mistake \"{title}\" appears {count} times in {file}, not once")]
     MistakeNotOnce { title: &'static str, file: String, count: usize },
     #[error("{output}\nThe program that draws the mistakes doesn't run; it is in {}", .folder.display())]
     MistakesNotDrawn { output: String, folder: PathBuf },

@@ -151,8 +151,8 @@ mod tests {
         assert!(text_with_mistake(&mistake).is_ok_and(|text| text.contains(&mistake.new)));
         mistake.old = "no such code".to_owned();
         let error = text_with_mistake(&mistake).expect_err("the code isn't there");
-        let message = "the code of the mistake \"the angle is in degrees\" is 0 times in \
-                       steps/step01_rays/src/program.rs, and not once";
+        let message = "the code of the mistake \"the angle is in degrees\" appears 0 times in \
+                       steps/step01_rays/src/program.rs, not once";
         assert_eq!(error.to_string(), message);
     }
 }

@@ -62,7 +62,7 @@ fn compile(name: &'static str) -> XtaskResult<Vec<u8>> {
     fs::read(&path).map_err(XtaskError::of_file(&path))
 }
 
-/// Finds a folder of this machine whose path is in the module: the workspace, the target folder, or
+/// Finds a folder on this machine whose path is in the module: the workspace, the target folder, or
 /// Cargo's home. With such a path, the module would differ from machine to machine. The paths of
 /// the standard library's sources may stay, since they come with the compiler.
 fn find_local_folder(module: &[u8]) -> Option<PathBuf> {

@@ -9,12 +9,12 @@ const MOST_IN_CLAUSE: usize = 8;
 /// Everything that was skipped: the first items, and how many there are in all.
 #[derive(Default)]
 pub(crate) struct NotLookedAt {
-    pub first: Vec<Skipped>,
+    pub first: Vec<SkippedPath>,
     pub count: usize,
 }
 
 /// A file or folder that was skipped.
-pub(crate) struct Skipped {
+pub(crate) struct SkippedPath {
     pub printable_path: String,
     pub reason: SkipReason,
 }
@@ -38,7 +38,7 @@ impl NotLookedAt {
     pub fn add(&mut self, printable_path: String, reason: SkipReason) {
         self.count += 1;
         if self.first.len() < MOST_LISTED {
-            self.first.push(Skipped { printable_path, reason });
+            self.first.push(SkippedPath { printable_path, reason });
         }
     }
 
@@ -61,7 +61,7 @@ impl NotLookedAt {
     }
 }
 
-impl Display for Skipped {
+impl Display for SkippedPath {
     fn fmt(&self, formatter: &mut Formatter) -> fmt::Result {
         let reason = match self.reason {
             SkipReason::OtherName | SkipReason::BesideFolders => "",

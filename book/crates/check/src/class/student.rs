@@ -23,7 +23,7 @@ pub(crate) struct StudentReport {
 pub(crate) struct PictureReport {
     /// The name of the picture.
     pub picture: &'static str,
-    /// Whether the picture counts towards the points. If no picture is required, all count.
+    /// Whether the picture counts towards the score. If no picture is required, all count.
     pub counts: bool,
     /// The files of this name that were checked. There are none if the picture is missing.
     pub files: Vec<FileReport>,

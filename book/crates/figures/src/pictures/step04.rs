@@ -20,7 +20,7 @@ pub fn figure() -> Figure {
     ];
     let mut figure =
         probed_picture("step04_diffuse", [470.0, 120.0], parameters.concat(), |values, columns| {
-            let scene = moved_scene(values);
+            let scene = scene_with_moved_lights(values);
             draw_picture(columns, |ray| colour(&scene, ray))
         });
     figure.handles.extend(LIGHTS.map(|light| {
@@ -49,7 +49,7 @@ fn position_parameters(light: PointId, position: DVec3, ranges: [[f64; 2]; 3]) -
 }
 
 /// The scene with the lights moved to these values.
-fn moved_scene(values: &ParameterValues) -> Scene<Matte, PointLight> {
+fn scene_with_moved_lights(values: &ParameterValues) -> Scene<Matte, PointLight> {
     let mut scene = step04_diffuse::scene();
     for (light, position) in scene.lights.iter_mut().zip(LIGHTS) {
         light.position = values.point_in_space(position);
@@ -58,7 +58,7 @@ fn moved_scene(values: &ParameterValues) -> Scene<Matte, PointLight> {
 }
 
 fn readouts(values: &ParameterValues) -> Readouts {
-    let scene = moved_scene(values);
+    let scene = scene_with_moved_lights(values);
     let mut readouts = trace_pixel(values, &scene.objects, |ray| colour(&scene, ray));
     readouts.extend(trace_shading(values, &phong_scene(&scene)));
     readouts

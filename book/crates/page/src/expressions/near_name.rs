@@ -1,9 +1,9 @@
 //! Finds the name that a reader most likely meant.
 
-/// The least letters of a name that is found if some of them are wrong.
+/// The minimum length of a name that is recognised although some of its letters are wrong.
 const LEAST_LETTERS: usize = 3;
 
-/// Words of other languages and spellings, each with the names that Rust and glam have for it.
+/// Words from other languages, each with the names that Rust and glam use for the same thing.
 const SYNONYMS: &[(&str, &[&str])] = &[
     ("arccos", &["acos"]),
     ("arcsin", &["asin"]),
@@ -28,7 +28,7 @@ const SYNONYMS: &[(&str, &[&str])] = &[
     ("unit", &["normalize"]),
 ];
 
-/// What a name is called here: itself and its synonyms, in small letters.
+/// Returns the lowercased name, followed by the names that Rust and glam use for the same thing.
 pub fn synonyms(name: &str) -> Vec<String> {
     let small = name.to_ascii_lowercase();
     let row = SYNONYMS.iter().find(|(word, _)| *word == small);
@@ -37,8 +37,8 @@ pub fn synonyms(name: &str) -> Vec<String> {
     [vec![small], others].concat()
 }
 
-/// The one of these names that is most like `name`, if one is: the same letters, large or small, a
-/// synonym, the beginning of `name`, or all but a letter or two.
+/// Returns the known name that is closest to `name`, if any is close enough. A name is close if it
+/// equals `name` ignoring case, is a synonym, is a prefix of `name`, or differs by a letter or two.
 pub fn find_near_name<'a>(name: &str, known: impl Iterator<Item = &'a str>) -> Option<&'a str> {
     let wanted = synonyms(name);
     let distance = |known: &str| {
@@ -51,7 +51,7 @@ pub fn find_near_name<'a>(name: &str, known: impl Iterator<Item = &'a str>) -> O
         }
         let distance = strsim::osa_distance(&wanted[0], &small);
         let may_differ = if name.len() < 6 { 1 } else { 2 };
-        // A synonym is nearer than a name with a wrong letter, and that is nearer than a beginning.
+        // A synonym ranks ahead of a typo, and a typo ahead of a prefix.
         let is_start = wanted[0].starts_with(&small) && 2 * small.len() > wanted[0].len();
         (distance <= may_differ || is_start).then_some(10 * distance)
     };
