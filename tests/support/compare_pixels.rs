@@ -33,7 +33,7 @@ pub fn compare_pixels(name: &str, picture: &RgbImage, assert: impl FnOnce(Vec<u8
     }
     let update = snapshot_update();
     if update == SnapshotUpdate::No {
-        // insta would delete a picture that is still waiting for review.
+        // Don't ask insta: it would delete a picture that is still waiting for review.
         return assert!(mismatch.is_none(), "{name} is not the locked picture");
     }
     let locked_png = fs::read(locked_picture_path(name)).ok();

@@ -107,7 +107,7 @@ struct Chapter<'a> {
     sheet_position: Option<usize>,
     /// The position and name of an interactive picture with a probe whose panel hasn't begun yet.
     missing_panel: Option<(usize, &'static str)>,
-    /// Whether the open box is a panel that stands in one frame with its picture.
+    /// Whether the open box is a panel that shares a frame with its picture.
     panel_ends_frame: bool,
 }
 

@@ -52,7 +52,7 @@ impl Values {
         })
     }
 
-    /// Returns a figure's readout for the default parameters, such as `D`. For a picture with a
+    /// Returns a figure's readout, such as `D`, for the default parameters. For a picture with a
     /// probe, the readout may name a pixel first, such as `470,120:t`.
     fn readout(&self, figure_name: &str, readout: &str) -> Option<String> {
         let figure = figures::find_figure(figure_name)?;

@@ -146,7 +146,7 @@ fn facts_of_small_pictures_are_as_locked() {
                 Nearest,
                 map_small(Nearest, |i, j, c| if j < 10 { [9, 9, (i % 2) as u8] } else { c }),
             ),
-            // Bytes that depend only on our intensities or our bytes.
+            // Pictures in which each byte is a function of our intensity, or of our byte, alone.
             ("falling bytes", Phong, map_small(Phong, |_, _, c| c.map(|b| 255 - b))),
             ("falling bytes", Rays, map_small(Rays, |_, _, c| c.map(|b| 255 - b))),
             ("half", Sphere, map_small(Sphere, |_, _, c| c.map(|b| b / 2))),

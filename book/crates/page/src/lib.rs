@@ -17,8 +17,8 @@ mod exports;
 
 use figures::Reply;
 
-/// Replies to a request. With `mistakes`, the page provides the list of mistakes, whose texts
-/// aren't compiled into any module. A request that starts with `check` or `edit` goes to the
+/// Replies to a request. The request `mistakes` brings the list of mistakes in `file`, because its
+/// texts aren't compiled into any module. A request that starts with `check` or `edit` goes to the
 /// function of that name, and any other to [`figures::reply`].
 pub fn reply(request: &str, file: &[u8]) -> Reply {
     match request.split_once(' ') {
