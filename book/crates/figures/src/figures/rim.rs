@@ -13,7 +13,7 @@ const ANGLE: ParameterId = ParameterId::new("angle");
 
 const CONTENT: Content = Content::Drawing {
     title: "The top of a ball. The lamp is far away on the left, a little lower than a point near the top, and the eye is far away on the right. At that point, l leads left and down into the ball, and its mirror image r leads right and down into the ball, not far from v, which leads right to the eye.",
-    caption: "The rim, from the side. The lamp is behind the surface: $n \\cdot l =$ {{#number rim:nl}}. \
+    caption: "The rim, from the side: $l$ leads to the lamp and $v$ to you. The lamp is behind the surface: $n \\cdot l =$ {{#number rim:nl}}. \
               And yet $r \\cdot v =$ {{#number rim:rv}}, as if there were a highlight. \
               <span class='move'>Turn the lamp until it's in front, and see where $r$ goes then.</span>",
     draw,
@@ -49,12 +49,11 @@ fn draw(values: &ParameterValues) -> Drawing {
     let up = dvec2(n.x, -n.y);
     drawing.circle("object", p - RADIUS * up, RADIUS);
     drawing.line("guide", p - 190.0 * up.perp(), p + 190.0 * up.perp());
-    let beside_l = if l.y > 0.2 { dvec2(0.0, -10.0) } else { dvec2(30.0, 24.0) };
     let arrows = [
-        ("light", l, "$l$, to the lamp", beside_l),
+        ("light", l, "$l$", dvec2(-14.0, -6.0)),
         ("second", n, "$n$", dvec2(14.0, 8.0)),
         ("vector", r, "$r$", dvec2(-2.0, 20.0)),
-        ("accent", v, "$v$, to you", dvec2(0.0, -10.0)),
+        ("accent", v, "$v$", dvec2(14.0, 5.0)),
     ];
     for (class, vector, name, shift) in arrows {
         let length = if class == "second" { 0.6 } else { 1.0 };
