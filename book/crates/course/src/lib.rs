@@ -71,7 +71,7 @@ mod terminal;
 pub use terminal::is_obeyed_by_terminals;
 
 mod workspace;
-pub use workspace::{MODULES, cargo_command, target_folder, workspace};
+pub use workspace::{MODULES, cargo_command, step_dependencies, target_folder, workspace};
 
 pub mod environment;
 pub mod json;

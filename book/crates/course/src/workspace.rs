@@ -1,5 +1,6 @@
 //! Finds the project's folders, and runs Cargo there.
 
+use crate::Step;
 use std::env;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -37,4 +38,22 @@ pub fn cargo_command() -> Command {
     let mut command = Command::new(env::var_os("CARGO").unwrap_or("cargo".into()));
     command.env_remove("CARGO_BUILD_TARGET");
     command
+}
+
+/// The dependencies in the manifest of a program that contains copies of the steps: the steps, and
+/// the libraries that they use. A copy of the course's Cargo.lock decides on the versions.
+pub fn step_dependencies() -> String {
+    let mut dependencies = r#"
+[dependencies]
+clap = { version = "*", default-features = false }
+glam = { version = "*", default-features = false }
+image = { version = "*", default-features = false }
+rayon = "*"
+"#
+    .to_owned();
+    for step in Step::NAMES {
+        let path = workspace().join("steps").join(step);
+        dependencies += &format!("{step} = {{ path = {path:?} }}\n");
+    }
+    dependencies
 }

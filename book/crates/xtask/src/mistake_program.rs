@@ -3,7 +3,9 @@
 //! steps are the course's own crates.
 
 use crate::error::{XtaskError, XtaskResult};
-use course::{Mistake, Step, cargo_command, crate_as_module, target_folder, workspace};
+use course::{
+    Mistake, Step, cargo_command, crate_as_module, step_dependencies, target_folder, workspace,
+};
 use image::RgbImage;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -12,18 +14,11 @@ use std::path::{Path, PathBuf};
 /// panics.
 pub type DrawnPictures = Vec<(Step, Option<RgbImage>)>;
 
-/// The start of the program's manifest. The steps follow as dependencies. A copy of the course's
-/// Cargo.lock decides on the versions.
+/// The start of the program's manifest. The dependencies follow.
 const MANIFEST: &str = r#"
 workspace = {}
 package = { name = "mistakes", edition = "2024" }
 profile.dev = { debug = false, incremental = false, package.png.opt-level = 3 }
-
-[dependencies]
-clap = { version = "*", default-features = false }
-glam = { version = "*", default-features = false }
-image = { version = "*", default-features = false }
-rayon = "*"
 "#;
 
 /// The start of the program's main file. The modules and the list of pictures to draw follow.
@@ -91,11 +86,8 @@ fn picture_name(k: usize, step: Step) -> String {
 /// Writes the package of the program: its manifest and lock file, a module for each mistake, and
 /// the main file.
 fn write_package(mistakes: &[&Mistake]) -> XtaskResult<()> {
-    let (folder, mut manifest) = (package_folder(), MANIFEST.to_owned());
-    for step in Step::NAMES {
-        let path = workspace().join("steps").join(step);
-        manifest += &format!("{step} = {{ path = {path:?} }}\n");
-    }
+    let folder = package_folder();
+    let manifest = MANIFEST.to_owned() + &step_dependencies();
     let (mut modules, mut pictures) = (String::new(), String::new());
     for (k, mistake) in mistakes.iter().enumerate() {
         modules += &format!("/// {}\nmod m{k} {{\n", title_and_file(mistake));

@@ -3,25 +3,21 @@
 //! the pictures that a page draws.
 
 use crate::lines::cure_line;
-use course::{Place, Step, all_listed_places, cargo_command, crate_as_module};
-use course::{target_folder, workspace};
+use course::{
+    Place, Step, all_listed_places, cargo_command, crate_as_module, step_dependencies,
+    target_folder, workspace,
+};
 use page::expressions::{draw_edited, parse_expression};
 use std::collections::BTreeSet;
 use std::fs;
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::Path;
 
-/// The manifest of the program, up to the steps. The course's Cargo.lock decides on the versions.
+/// The start of the program's manifest. The dependencies follow.
 const MANIFEST: &str = r#"
 workspace = {}
 package = { name = "lines", edition = "2024" }
 profile.dev = { debug = false, incremental = false }
-
-[dependencies]
-clap = { version = "*", default-features = false }
-glam = { version = "*", default-features = false }
-image = { version = "*", default-features = false }
-rayon = "*"
 "#;
 
 /// The main file of the program, up to its modules. It prints a hash for each line.
@@ -76,10 +72,7 @@ fn write_step(source: &Path, place: &Place, text: &str, module: &str) {
 fn accepted_lines_draw_the_same_picture_in_their_steps() {
     let folder = target_folder().join("lines");
     let _ = fs::remove_dir_all(folder.join("src"));
-    let mut manifest = MANIFEST.to_owned();
-    for step in Step::NAMES {
-        manifest += &format!("{step} = {{ path = {:?} }}\n", workspace().join("steps").join(step));
-    }
+    let manifest = MANIFEST.to_owned() + &step_dependencies();
     let (mut modules, mut calls) = (String::new(), String::new());
     let lines = drawn_lines();
     for (index, (place, text, _)) in lines.iter().enumerate() {
