@@ -5,7 +5,7 @@ use crate::expressions::functions::{Function, find_function, remainder_operation
 use crate::expressions::operation::{range_of, split_operation, write_tokens};
 use crate::expressions::part::{Part, literal_part};
 use crate::expressions::refusal::{Fault, Refusal, refuse};
-use crate::expressions::refused_call::{explain_mismatch, is_method};
+use crate::expressions::refused_call::{Call, explain_mismatch, is_method};
 use crate::expressions::syntax::parse_syntax;
 use crate::expressions::value::Value;
 use course::{Place, PlaceNote, ValueType};
@@ -50,7 +50,7 @@ fn find_misfit(place: &Place, text: &str, statements: &[Stmt], part: &Part) -> O
     let is_block = matches!(syntax, Expr::If(_) | Expr::Block(_));
     let tokens = write_tokens(syntax);
     let is_or = matches!(syntax, Expr::Binary(ExprBinary { op: BinOp::Or(_), .. }));
-    if !is_block && ["{", "if"].iter().any(|sign| tokens.starts_with(sign)) {
+    if !is_block && ["{", "if"].iter().any(|start| tokens.starts_with(start)) {
         Some(Fault::BlockAtStart)
     } else if is_or && has_note(PlaceNote::AfterAnd) {
         Some(Fault::OrAfterAnd)
@@ -85,7 +85,9 @@ impl Compiler<'_> {
             Expr::If(branches) => return self.compile_if(branches),
             Expr::Call(call) if call.args.is_empty() => {
                 let name = write_tokens(&call.func);
-                return Err(self.explain_refused_call(syntax, &name, range_of(&call.func), &[]));
+                let name_range = range_of(&call.func);
+                let call = Call { syntax, name: &name, name_range, parts: &[] };
+                return Err(self.explain_refused_call(call));
             }
             Expr::Assign(assignment) => return Err(self.refuse_assignment(assignment)),
             _ => {}
@@ -94,32 +96,33 @@ impl Compiler<'_> {
         if let Some(refusal) = unknown.or_else(|| self.refuse_unknown_function(syntax)) {
             return Err(refusal);
         }
-        let (name, operands, sign) = split_operation(syntax)?;
+        let (name, operands, name_range) = split_operation(syntax)?;
         let parts = operands.into_iter().map(|operand| self.compile_expression(operand));
         let parts = parts.collect::<Result<Vec<_>, _>>()?;
         let is_member = matches!(syntax, Expr::Field(_) | Expr::MethodCall(_));
         let Some(receiver) = parts.first().filter(|_| is_member) else {
             if name.starts_with("DVec3") && !self.place.has_vectors {
-                return refuse(sign, Fault::NoVectors);
+                return refuse(name_range, Fault::NoVectors);
             }
-            return self.compile_call(syntax, &name, &parts, sign);
+            return self.compile_call(Call { syntax, name: &name, name_range, parts: &parts });
         };
         if receiver.is_open && name != "::into" {
             let range = receiver.range.clone();
             let literal = &self.text[range.clone()];
-            let is_literal = literal.starts_with(|sign: char| sign.is_ascii_digit());
+            let is_literal = literal.starts_with(|c: char| c.is_ascii_digit());
             let is_literal = is_literal && matches!(syn::parse_str(literal), Ok(Expr::Lit(_)));
             let cure = format!("{literal}_f64");
             let fault = if is_literal { Fault::OpenLiteral { cure } } else { Fault::OpenReceiver };
             return refuse(range, fault);
         }
         let path = receiver.value_type.name().to_owned() + &name;
+        let call = Call { syntax, name: &path, name_range, parts: &parts };
         match name.strip_prefix("::") {
-            // Such as f64::from, which is no method.
+            // For example f64::from, which isn't a method.
             Some(name) if !is_method(receiver.value_type, name) => {
-                Err(self.explain_refused_call(syntax, &path, sign, &parts))
+                Err(self.explain_refused_call(call))
             }
-            _ => self.compile_call(syntax, &path, &parts, sign),
+            _ => self.compile_call(call),
         }
     }
 
@@ -131,22 +134,18 @@ impl Compiler<'_> {
         Part { run: Run::Slot(slot), value_type, is_open, range: 0..0 }
     }
 
-    /// Compiles a call to a function, an operator or a cast, whose name is at range `sign`.
-    fn compile_call(
-        &self,
-        syntax: &Expr,
-        name: &str,
-        parts: &[Part],
-        sign: Range<usize>,
-    ) -> Result<Part, Refusal> {
+    /// Compiles a call to a function, an operator or a cast.
+    fn compile_call(&self, call: Call) -> Result<Part, Refusal> {
+        let Call { name, parts, .. } = call;
+        let name_range = call.name_range.clone();
         let types: Vec<_> = parts.iter().map(|part| part.value_type).collect();
         let Some(function) = find_function(name, &types) else {
-            return Err(self.explain_refused_call(syntax, name, sign, parts));
+            return Err(self.explain_refused_call(call));
         };
         // Rust refuses to divide by a constant 0, even if the dividend isn't constant.
         let divisor = parts.last().and_then(Part::constant_value);
         if ["/", "%"].contains(&name) && divisor == Some(Value::I32(0)) {
-            return refuse(sign, Fault::NoResult);
+            return refuse(name_range, Fault::NoResult);
         }
         let is_operator = !name.contains(char::is_alphabetic);
         let is_open = is_operator && parts.iter().all(|part| part.is_open);
@@ -154,26 +153,26 @@ impl Compiler<'_> {
         if let Some(values) = constants {
             return match (function.apply)(&values) {
                 Some(value) => Ok(Part::constant(value, is_open, 0..0)),
-                None => refuse(sign, Fault::NoResult),
+                None => refuse(name_range, Fault::NoResult),
             };
         }
         let runs: Vec<_> = parts.iter().map(|part| part.run.clone()).collect();
-        let run = call_run(function, &runs, sign);
+        let run = call_run(function, &runs, name_range);
         Ok(Part { run, value_type: function.result, is_open, range: 0..0 })
     }
 }
 
 /// A run that calls a function with the values of these runs.
-fn call_run(function: &'static Function, runs: &[Run], sign: Range<usize>) -> Run {
+fn call_run(function: &'static Function, runs: &[Run], name_range: Range<usize>) -> Run {
     match (function.name, runs) {
         ("&&", [first, second]) => short_circuit(first.clone(), second.clone(), false),
         ("||", [first, second]) => short_circuit(first.clone(), second.clone(), true),
-        (_, [a]) => join_runs(function, [a.clone()], sign),
-        (_, [a, b]) => join_runs(function, [a.clone(), b.clone()], sign),
-        (_, [a, b, c]) => join_runs(function, [a.clone(), b.clone(), c.clone()], sign),
+        (_, [a]) => join_runs(function, [a.clone()], name_range),
+        (_, [a, b]) => join_runs(function, [a.clone(), b.clone()], name_range),
+        (_, [a, b, c]) => join_runs(function, [a.clone(), b.clone(), c.clone()], name_range),
         // Unreachable: without parameters it would be a constant, and no function has more than
         // three.
-        _ => join_runs(function, [], sign),
+        _ => join_runs(function, [], name_range),
     }
 }
 
@@ -187,11 +186,11 @@ fn short_circuit(first: Run, second: Run, decisive: bool) -> Run {
 }
 
 /// A run that calls a function with the values of this many runs. If there is no result, the name
-/// at range `sign` is to blame.
+/// at `name_range` is to blame.
 fn join_runs<const N: usize>(
     function: &'static Function,
     runs: [Run; N],
-    sign: Range<usize>,
+    name_range: Range<usize>,
 ) -> Run {
     let apply = function.apply;
     let is_remainder = ["%", "f64::rem_euclid"].contains(&function.name);
@@ -201,7 +200,7 @@ fn join_runs<const N: usize>(
             *value = run.evaluate(evaluation)?;
         }
         evaluation.spend(if is_remainder { remainder_operations(&values) } else { 1 })?;
-        apply(&values).ok_or_else(|| Interruption::NoResult(sign.clone()))
+        apply(&values).ok_or_else(|| Interruption::NoResult(name_range.clone()))
     }))
 }
 

@@ -14,6 +14,19 @@ use std::iter::once;
 use std::ops::Range;
 use syn::Expr;
 
+/// A function, method, field or operator in a line, with the values that it is given.
+#[derive(Clone)]
+pub struct Call<'a> {
+    /// The whole expression.
+    pub syntax: &'a Expr,
+    /// The name of what is called, such as `DVec3::dot`, or `dot` alone for a member of a value.
+    pub name: &'a str,
+    /// The range of the name in the line.
+    pub name_range: Range<usize>,
+    /// The value that it belongs to, if there is one, and the arguments.
+    pub parts: &'a [Part],
+}
+
 /// Associated functions that aren't methods.
 const NO_METHODS: [&str; 4] = ["from", "from_array", "new", "splat"];
 
@@ -98,17 +111,11 @@ fn is_near_chain(name: &str, known: &str) -> bool {
 }
 
 impl Compiler<'_> {
-    /// Explains why the function named at range `sign` can't be called with these arguments, and
-    /// which range of the line to mark.
-    pub fn explain_refused_call(
-        &self,
-        syntax: &Expr,
-        name: &str,
-        sign: Range<usize>,
-        parts: &[Part],
-    ) -> Refusal {
+    /// Explains why a call isn't possible, and which range of the line to mark.
+    pub fn explain_refused_call(&self, call: Call) -> Refusal {
+        let Call { syntax, name, name_range, parts } = call.clone();
         let text_of = |range: &Range<usize>| &self.text[range.clone()];
-        let shown_name = text_of(&sign).to_owned();
+        let shown_name = text_of(&name_range).to_owned();
         let types: Vec<_> = parts.iter().map(|part| part.value_type).collect();
         let explain_part = |part: &Part, wanted| {
             let fault = explain_mismatch(&format!("{shown_name} takes"), part, self.text, wanted);
@@ -117,7 +124,7 @@ impl Compiler<'_> {
         let is_member = matches!(syntax, Expr::Field(_) | Expr::MethodCall(_));
         let member = name.rsplit(['.', ':']).next().unwrap_or_default();
         if is_member && !members(types[0]).any(|(known, _)| known == member) {
-            return self.explain_unknown_member(syntax, member, sign, parts);
+            return self.explain_unknown_member(Call { name: member, ..call });
         }
         let mut wanted_types = ValueType::ALL;
         if types.contains(&ValueType::Array) {
@@ -138,7 +145,7 @@ impl Compiler<'_> {
             "[…]" if parts.len() != 3 => Fault::ArrayLength,
             _ if name.ends_with(']') && matches!(syntax, Expr::Index(_)) => Fault::Index,
             _ if name.starts_with("as ") => Fault::Cast,
-            _ if is_member => return self.explain_refused_member(syntax, member, sign, parts),
+            _ if is_member => return self.explain_refused_member(Call { name: member, ..call }),
             _ => match functions().find(|function| function.name == name) {
                 Some(Function { parameters: [], .. }) => {
                     let range = range_of(syntax);
@@ -156,7 +163,7 @@ impl Compiler<'_> {
                     Fault::Count { name: shown_name, wanted, actual: count_values(parts.len()) }
                 }
                 None if name.contains(char::is_alphanumeric) => {
-                    return self.explain_unknown_name(syntax, name, sign, parts);
+                    return self.explain_unknown_name(call);
                 }
                 None if matches!(syntax, Expr::Binary(binary) if is_assignment(&binary.op)) => {
                     Fault::CompoundAssignment(name.to_owned())
@@ -164,18 +171,15 @@ impl Compiler<'_> {
                 None => Fault::Operator(name.to_owned()),
             },
         };
-        Refusal { range: sign, fault }
+        Refusal { range: name_range, fault }
     }
 
     /// Explains why a member that the value does have can't be used in this way.
     fn explain_refused_member(
         &self,
-        syntax: &Expr,
-        member: &str,
-        sign: Range<usize>,
-        parts: &[Part],
+        Call { syntax, name: member, name_range, parts }: Call,
     ) -> Refusal {
-        let range = sign.start..range_of(syntax).end;
+        let range = name_range.start..range_of(syntax).end;
         let [receiver, others @ ..] = parts else {
             return Refusal { range, fault: Fault::Unsupported };
         };
@@ -196,7 +200,7 @@ impl Compiler<'_> {
                     let mut pairs = others.iter().zip(*wanted);
                     pairs.find(|(part, wanted)| part.value_type != **wanted)
                 });
-                let name = self.text[sign.clone()].to_owned();
+                let name = self.text[name_range.clone()].to_owned();
                 match mismatch {
                     Some((part, wanted)) => {
                         let subject = format!("{name} takes");
@@ -206,7 +210,7 @@ impl Compiler<'_> {
                     None => {
                         let wanted = describe_types(parameters.first().unwrap_or(&&[][..]));
                         let actual = count_values(others.len());
-                        Refusal { range: sign, fault: Fault::Count { name, wanted, actual } }
+                        Refusal { range: name_range, fault: Fault::Count { name, wanted, actual } }
                     }
                 }
             }
@@ -217,10 +221,7 @@ impl Compiler<'_> {
     /// lists those that it has.
     fn explain_unknown_member(
         &self,
-        syntax: &Expr,
-        member: &str,
-        sign: Range<usize>,
-        parts: &[Part],
+        Call { syntax, name: member, name_range, parts }: Call,
     ) -> Refusal {
         let receiver = &parts[0];
         let (text, value_type) = (&self.text[receiver.range.clone()], receiver.value_type);
@@ -247,12 +248,12 @@ impl Compiler<'_> {
             let (end, near) = match syntax {
                 // The parentheses are there.
                 Expr::MethodCall(_) if is_method(value_type, near.0) => {
-                    (sign.end, near.0.to_owned())
+                    (name_range.end, near.0.to_owned())
                 }
                 _ => (range_of(syntax).end, write_member(near)),
             };
             let fault = Fault::NearName { name, near: format!(".{near}") };
-            return Refusal { range: sign.start..end, fault };
+            return Refusal { range: name_range.start..end, fault };
         }
         let owner = ValueType::ALL.into_iter().find(|value_type| {
             *value_type != receiver.value_type
@@ -266,18 +267,12 @@ impl Compiler<'_> {
                 Fault::UnknownMember { name, receiver: value_type, members: members.join(", ") }
             }
         };
-        Refusal { range: sign, fault }
+        Refusal { range: name_range, fault }
     }
 
     /// Says that there is no such name, and offers the one that is nearly right, or lists those that
     /// there are. The name may be called with parts.
-    fn explain_unknown_name(
-        &self,
-        syntax: &Expr,
-        name: &str,
-        sign: Range<usize>,
-        parts: &[Part],
-    ) -> Refusal {
+    fn explain_unknown_name(&self, Call { syntax, name, name_range, parts }: Call) -> Refusal {
         if let Some(cure) = self.write_as_method(name, parts) {
             let is_open = parts[0].is_open;
             let fault = if is_open { Fault::Function { cure } } else { Fault::Method { cure } };
@@ -298,7 +293,7 @@ impl Compiler<'_> {
                 Fault::UnknownName { name: name.to_owned(), cure }
             }
         };
-        Refusal { range: sign, fault }
+        Refusal { range: name_range, fault }
     }
 
     /// A call such as `sqrt(d)` as Rust has it, if a method of the first part has this name.
@@ -425,6 +420,9 @@ impl Compiler<'_> {
         let mut arguments = call.args.iter();
         let has_no_value = call.args.is_empty()
             || arguments.any(|argument| self.refuse_unknown_chain(argument).is_some());
-        has_no_value.then(|| self.explain_unknown_name(syntax, &name, range_of(&call.func), &[]))
+        has_no_value.then(|| {
+            let name_range = range_of(&call.func);
+            self.explain_unknown_name(Call { syntax, name: &name, name_range, parts: &[] })
+        })
     }
 }
