@@ -1,8 +1,9 @@
-//! An algorithm in words, with the name of a step at the end of some lines.
+//! An algorithm in words: the content of a fence `algorithm`. Some of its lines end with the step
+//! that implements them, such as `step 1`.
 
 use figures::escape;
 
-/// The HTML of an algorithm. The name of a step, which has two blanks or more before it, gets an
+/// The HTML of an algorithm. The name of a step, which is set off by at least two spaces, gets an
 /// element of its own, so that the style can put it below its line on a narrow screen.
 pub fn html(text: &str) -> String {
     let lines = text.split_inclusive('\n').map(|line| match split_line(line) {
@@ -12,8 +13,8 @@ pub fn html(text: &str) -> String {
     format!("<pre class=\"algorithm\"><code>{}</code></pre>\n", lines.collect::<String>())
 }
 
-/// Splits a line into its words, and the name of the step with the blanks before it. Returns None
-/// if there is no such name.
+/// Splits a line in front of the spaces that set off the name of a step. Returns None if the line
+/// doesn't end with such a name.
 fn split_line(line: &str) -> Option<(&str, &str)> {
     let (words, _) = line.rsplit_once("  ")?;
     let words = words.trim_end();

@@ -1,4 +1,5 @@
-//! The whole build: every page is written into a draft, which then replaces the old book.
+//! The whole build: every page is written into a draft of the book, which then replaces the old
+//! one.
 
 use crate::fault::Faults;
 use crate::inline_stylesheets::inline_stylesheets;
@@ -24,7 +25,7 @@ pub fn build(workspace: &Path, folder: &Path) -> Result<Site> {
     lock.lock()?;
     restore_folder(folder)?;
     let draft = around.join("book.draft");
-    // Left behind by an earlier build that was killed or found a fault.
+    // An earlier build that was killed or found a fault may have left its draft behind.
     let _ = fs::remove_dir_all(&draft);
     let site = write_and_check_pages(workspace, &draft)?;
     replace_folder(&draft, folder)
@@ -32,8 +33,8 @@ pub fn build(workspace: &Path, folder: &Path) -> Result<Site> {
     Ok(site)
 }
 
-/// Opens the lock file without changing its contents. If it is a symbolic link, the build stops
-/// rather than follow it.
+/// Opens the lock file without changing its contents. Anything else at its path is an error, even a
+/// symbolic link to a file, which we'd rather not follow.
 fn open_lock(path: &Path) -> Result<File> {
     let is_other = fs::symlink_metadata(path).is_ok_and(|metadata| !metadata.is_file());
     ensure!(!is_other, "{} is not a file; remove it", path.display());
@@ -112,8 +113,8 @@ fn finish_pages(files: &Files) -> Result<Vec<(String, String)>> {
     pages.collect()
 }
 
-/// Removes the list item that mdBook opens around the title of a part of the contents, and the end
-/// tag that closes nothing.
+/// Repairs the titles of parts in the table of contents. mdBook puts each title into a list item
+/// directly inside another list item, which HTML doesn't allow; only the inner one is kept.
 fn close_part_titles(html: &str) -> Result<String, MissingEnd> {
     let begin = "<li class=\"chapter-item expanded \"><li class=\"part-title\">";
     replace_between(html, begin, "</li></li>", |title| {

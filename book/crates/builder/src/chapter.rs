@@ -1,8 +1,8 @@
 //! Expands a chapter: turns every directive, formula and listing into HTML.
 //!
-//! The result is Markdown again, with that HTML in it. A preprocessor returns chapters as Markdown,
-//! and mdBook renders them afterwards: the paragraphs, headings and links that stay as their author
-//! wrote them.
+//! The result is Markdown with that HTML in it, since that's what a preprocessor has to return. The
+//! paragraphs, headings and links stay as their author wrote them, and mdBook renders them
+//! afterwards.
 
 use crate::directive::{Directive, DirectiveKind, replace_directives};
 use crate::fault::{ChapterError, ChapterResult, Fault};
@@ -97,7 +97,7 @@ struct Chapter<'a> {
     listings: Vec<String>,
     /// How the next picture is loaded.
     loading: Loading,
-    /// The ranges of the text that each cover a block and its notes.
+    /// The ranges of the text that each cover a block and the notes after it.
     noted_blocks: Vec<Range<usize>>,
     /// The position where the open box begins.
     open_box: Option<usize>,
@@ -107,7 +107,8 @@ struct Chapter<'a> {
     sheet_position: Option<usize>,
     /// The position and name of an interactive picture with a probe whose panel hasn't begun yet.
     missing_panel: Option<(usize, &'static str)>,
-    /// Whether the open box is a panel that shares a frame with its picture.
+    /// Whether the open box is a panel inside a wrapper that was opened for its picture. If so, the
+    /// wrapper ends with the box.
     panel_ends_frame: bool,
 }
 
@@ -136,8 +137,8 @@ impl<'a> Chapter<'a> {
         self.expanded_end = position;
     }
 
-    /// Pairs a position in the text with the matching one in the expanded text. Copies everything
-    /// before it.
+    /// Copies the text up to a position, and pairs that position with the one that it now has in
+    /// the expanded text.
     fn copy_and_pair_position(&mut self, in_text: usize) -> Position {
         self.copy_until(in_text);
         Position { in_text, in_expanded: self.expanded.len() }
@@ -188,7 +189,7 @@ impl<'a> Chapter<'a> {
                 self.add_fault(range.start, ChapterError::DeepNesting);
                 return;
             }
-            // What lies inside a part that was replaced isn't expanded again.
+            // Skip events inside a part that has been replaced already.
             if self.expanded_end < range.end {
                 match self.expand_event(event, &events[index..], range) {
                     Ok(Expansion::Keep) => {}
@@ -221,7 +222,8 @@ impl<'a> Chapter<'a> {
         }
     }
 
-    /// Puts a wrapper around a block without notes beside which a page opens a tool.
+    /// Puts a wrapper around a block beside which the page opens a tool, such as the line editor. A
+    /// block with notes already has one.
     fn wrap_block_with_tool(&self, markdown: String, start: usize) -> String {
         if self.has_notes(start) {
             markdown
@@ -395,7 +397,9 @@ impl<'a> Chapter<'a> {
                 let html = folded_box::opening_html(box_kind, words, values);
                 self.begin_box(kind, range.start, html)?
             }
-            // These are a part of a text, or can't stand here. Their own event says which.
+            // The first three belong in a sentence, and the rest can't stand here at all. The text
+            // inside this paragraph has an event of its own, which fills in the former and reports
+            // the latter.
             DirectiveKind::Value
             | DirectiveKind::Number
             | DirectiveKind::OurFolder

@@ -5,7 +5,7 @@ use figures::{Figure, Parameter, ParameterKind, escape, italic_letter};
 const HINT: &str = "<span class=\"hint\">Click or tap the picture, or move the cross \
                     with the arrow keys, to choose a pixel.</span>";
 
-/// The link gets the reader's scene; see book/theme/own_scene.js.
+/// book/theme/own_scene.js adds the reader's scene to the link.
 const SCENE_HINT: &str = "<span class=\"hint\">Drag a ball, and the code of step 5 draws the \
                           picture again. When you want more, <a href=\"own_scene.html\">A scene of \
                           your own</a> goes on from here.</span>";
@@ -48,7 +48,7 @@ pub fn html(figure: &Figure) -> String {
     format!("<div class=\"controls{tool}\" hidden inert>{hint}{content}</div>")
 }
 
-/// What is below a picture that is interactive once it is touched: a hint.
+/// The HTML of the hint below a picture that only becomes interactive once it is touched.
 pub fn preview_html(figure: &Figure) -> String {
     let hint = if figure.editable_scene.is_some() { SCENE_HINT } else { HINT };
     format!("<div class=\"controls\" hidden>{hint}</div>")

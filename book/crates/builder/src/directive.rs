@@ -11,7 +11,7 @@ use std::fmt::{self, Display, Formatter};
 pub struct Directive<'a> {
     /// Its kind, such as `figure`.
     pub kind: DirectiveKind,
-    /// The rest of it, such as `ray`. It may contain further directives, as in
+    /// The words after the kind, such as `ray`. They may contain further directives, as in
     /// `{{#predict Why {{#value row:D}}?}}`.
     pub words: &'a str,
 }

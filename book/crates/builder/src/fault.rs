@@ -79,7 +79,8 @@ pub enum ChapterError {
     NumberInCode(String),
     #[error("a formula has at most {0} commands and braces")]
     LongFormula(usize),
-    /// A formula that the parser rejects. Without a `source`, the parser itself failed on it.
+    /// A formula that can't be parsed. `source` says why, and is None if the parser itself
+    /// panicked.
     #[error("the formula {latex} can't be parsed")]
     Formula { latex: String, source: Option<Box<LatexError>> },
 

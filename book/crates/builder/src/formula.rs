@@ -12,7 +12,7 @@ const MAX_MARKS: usize = 100;
 /// The stack size of the thread that parses a formula.
 const STACK_BYTES: usize = 16 << 20;
 
-/// Converts a LaTeX formula to MathML, escaped so that it can stand in a line of Markdown.
+/// Converts a LaTeX formula to MathML, escaped so that Markdown leaves it unchanged.
 pub fn formula_html(latex: &str, is_display: bool, values: &Values) -> ChapterResult<String> {
     let style = if is_display { MathDisplay::Block } else { MathDisplay::Inline };
     let mathml = numbers::fill_in_formula(latex, values, |latex| convert(latex, style))?;
@@ -43,8 +43,9 @@ fn convert(latex: &str, style: MathDisplay) -> ChapterResult<String> {
     }
 }
 
-/// Makes a subscript of a letter that reaches below the line sit as high as that of any other letter:
-/// y₀ like x₀. Browsers put it below the letter's lower end, so the letter says that it has none.
+/// Levels the subscripts of letters that reach below the line with those of other letters: y₀ with
+/// x₀. A browser puts a subscript below the tail of such a letter. Giving the letter a depth of 0
+/// hides the tail from the browser.
 fn align_subscripts(mut mathml: String) -> String {
     for letter in ["g", "p", "q", "y"] {
         let plain = format!("<msub><mi>{letter}</mi>");

@@ -3,7 +3,8 @@
 //! `Sources` is everything that the chapters show: files in the workspace, and the pictures and
 //! scripts in `generated/`. `ChapterPreprocessor` is the mdBook preprocessor that expands the
 //! chapters, both for `mdbook serve` and for `cargo run`. `build` has mdBook write the pages,
-//! copies the stylesheets into them, and writes the search index. Finally it checks every link.
+//! copies the stylesheets into them, and writes the search index. Finally it checks every link, and
+//! that the tags on every page are nested as HTML requires.
 //!
 //! A chapter is Markdown with *directives*, `{{#kind words}}`. Most directives stand in a paragraph
 //! of their own; `value`, `number` and `our-folder` are part of a sentence:
@@ -11,9 +12,10 @@
 //! - A *listing* is a code fence with a single `include` of a file or part of a file. It marks the
 //!   places that a reader may edit (`course::Place`). In a fence `rust,own_scene`, the page updates
 //!   the listing when the reader changes that scene.
-//! - A *console* is a code fence with commands: `console,ours` for our folder, `console,yours` for
-//!   the reader's, and `console,yours,refused` or `console,yours,fails` if the command is meant to
-//!   be refused or to fail, which a test verifies.
+//! - A *console* is a code fence with commands: `console,ours` for commands to be run in our folder
+//!   (the workspace of this book), `console,yours` for the reader's own folder, and
+//!   `console,yours,refused` or `console,yours,fails` if the command is meant to be refused or to
+//!   fail, which a test verifies.
 //! - A *value* is computed by the steps when the book is built. A *number* is updated on the page
 //!   when its interactive figure changes.
 //! - A *figure* is a drawing from the crate `figures`, and a *picture* is a PNG file, either a
@@ -30,10 +32,10 @@
 //! - `mistakes` is a gallery of the mistakes in a step, each with its picture.
 //! - `check` is a form that says whether a reader's picture is right.
 //! - A `note` is an aside of one paragraph, such as some history, an opinion, or a letter with two
-//!   meanings. Bold words at its beginning are its label. `rust` is a note on Rust that a beginner
-//!   won't know yet, and `by-hand` names the test of the numbers that were worked out above it. A
-//!   note comes after the block that it belongs to, and stands beside it in the margin if there is
-//!   room.
+//!   meanings. Bold words at its beginning are its label. `rust` explains some Rust that a beginner
+//!   won't know yet, and `by-hand` names the test that verifies the numbers worked out by hand
+//!   above it. A note comes after the block that it belongs to, and stands beside it in the margin
+//!   if there is room.
 //! - `our-folder` says where the book's source is.
 //!
 //! A *fault* is an error on a line of a chapter, for the author to fix. The build reports all

@@ -12,7 +12,7 @@ use thiserror::Error;
 #[derive(Debug, Error)]
 #[error("{element}: {error}")]
 pub struct LinkFault {
-    /// The page, and the last id before the link.
+    /// The page, and the nearest id at or before the link.
     element: String,
     /// What is wrong with its address.
     error: LinkError,

@@ -96,7 +96,7 @@ impl Extent {
     }
 }
 
-/// The most lines of a listing that isn't split between two pages on paper.
+/// A listing with at most this many lines isn't split between two pages on paper.
 const SHORT: usize = 25;
 
 impl Listing<'_> {
@@ -128,7 +128,7 @@ impl Listing<'_> {
             ids.push(id);
         }
         attributes.push(("data-path", escape(self.path)));
-        // On paper, it stays in one piece.
+        // The stylesheet for paper keeps it in one piece.
         if self.code.lines().count() <= SHORT {
             attributes.push(("data-short", String::new()));
         }
@@ -187,9 +187,9 @@ fn places_list(path: &str, code: &str) -> Option<String> {
     (!entries.is_empty()).then(|| entries.join(" "))
 }
 
-/// Returns the range of lines for a part such as `use..impl Ray`: from the item that begins with
-/// the words before `..` up to, but not including, the item that begins with the words after it.
-/// Either may be empty.
+/// Returns the range of lines for a part such as `use..impl Ray`: from the line that begins with
+/// the words before `..` up to, but not including, the line that begins with the words after it. If
+/// either is empty, the part begins or ends with the file.
 fn part_lines(part: &str, lines: &[&str]) -> ChapterResult<Range<usize>> {
     let (begin_words, end_words) =
         part.split_once("..").ok_or_else(|| ChapterError::PartForm(part.to_owned()))?;

@@ -39,8 +39,7 @@ pub fn inline_html(markdown: &str, values: &Values) -> ChapterResult<String> {
     numbers::fill_in_text(&text.replace('\n', " "), values)
 }
 
-/// The HTML of a name in code. In a narrow column, it may break after `::` and `_`, and nowhere
-/// else.
+/// The HTML of a name in code, which may be broken in a narrow column.
 pub fn code_with_break_hints(code: &str) -> String {
     format!("<code>{}</code>", with_break_hints(code))
 }

@@ -1,14 +1,15 @@
-//! Checks that the elements of every page are nested as HTML asks: each is closed inside the element
-//! that it was opened in, and text such as a label contains no blocks.
+//! Checks that the elements of every page are nested as HTML requires: each is closed inside the
+//! element that it was opened in, and text such as a label contains no blocks.
 //!
-//! A browser mends all of this, each time in a way that nobody wrote.
+//! A browser wouldn't complain about any of this. It guesses what was meant, and shows a page that
+//! nobody wrote.
 
 use crate::Site;
 use crate::page::{is_void, tokens};
 use html5ever::tokenizer::{TagKind, Token};
 use thiserror::Error;
 
-/// Elements that contain only text and elements of text.
+/// Elements that may contain text and inline elements, but no blocks.
 const TEXT: [&str; 23] = [
     "b", "button", "cite", "code", "del", "em", "h1", "h2", "h3", "h4", "i", "ins", "kbd", "label",
     "option", "output", "p", "pre", "small", "span", "strong", "sub", "sup",
@@ -46,7 +47,7 @@ const BLOCKS: [&str; 28] = [
     "ul",
 ];
 
-/// A tag that stands where it may not.
+/// A misplaced tag, and where it is.
 #[derive(Debug, Error)]
 #[error("{page}:{line}: {error}")]
 pub struct NestingFault {
@@ -71,7 +72,7 @@ enum NestingError {
     Syntax(String),
 }
 
-/// Finds the misplaced tags of all pages.
+/// Finds the misplaced tags on all pages.
 pub fn find_faults(site: &Site) -> Vec<NestingFault> {
     let pages = site.files.texts_with_suffix(".html");
     let faults = pages.flat_map(|(page, html)| {
@@ -84,7 +85,7 @@ pub fn find_faults(site: &Site) -> Vec<NestingFault> {
     faults.collect()
 }
 
-/// The misplaced tags of a page, each with its line.
+/// The misplaced tags on a page, each with its line.
 fn misplaced_tags(html: &str) -> Vec<(u64, NestingError)> {
     let (mut errors, mut open) = (vec![], Vec::<String>::new());
     let mut last_line = 0;

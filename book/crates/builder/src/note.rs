@@ -15,11 +15,11 @@ pub const CLOSING_HTML: &str = "\n</div>\n\n";
 /// The kinds of notes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum NoteKind {
-    /// Words of the author.
+    /// An aside by the author.
     Note,
-    /// Words about Rust.
+    /// An explanation of some Rust.
     Rust,
-    /// The name of a test.
+    /// The name of the test that verifies numbers worked out by hand.
     ByHand,
 }
 

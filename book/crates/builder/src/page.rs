@@ -151,7 +151,8 @@ impl Page {
         text + &self.text[start..element.text.end]
     }
 
-    /// Where an element is, as a fault names it: its page, and the last id before it.
+    /// Where an element is, for a message about a fault: its page, and the nearest id at or before
+    /// it.
     pub fn address_for_fault(&self, element: &Element) -> String {
         let mut elements = self.elements[..element.descendants.start].iter().rev();
         let id = elements.find_map(|element| element.attr("id"));

@@ -12,10 +12,11 @@ use std::mem;
 /// How a picture reacts to a reader.
 #[derive(Clone, Copy)]
 pub enum Interaction<'a> {
-    /// With all of the figure's handles and controls, as soon as it comes near the view.
+    /// Becomes interactive as soon as it comes near the view, with all of the figure's handles and
+    /// controls.
     Live(&'a Figure),
-    /// Starts when it is touched, and has no controls. For example, the preview of step 5 only says
-    /// what the ray of a pixel meets.
+    /// Becomes interactive when it is touched, and has no controls. For example, the preview of
+    /// step 5 only says what a pixel's ray meets.
     Preview(&'a Figure),
 }
 
@@ -35,7 +36,7 @@ impl Loading {
         mem::replace(self, Self::InView)
     }
 
-    /// The HTML attribute that makes a browser do so.
+    /// The HTML attribute that makes a browser load a picture at that time.
     pub fn attribute(self) -> &'static str {
         match self {
             Self::AtOnce => r#"fetchpriority="high""#,
@@ -102,8 +103,8 @@ pub fn html(
     ))
 }
 
-/// The HTML of a figure with an image and a caption in Markdown. With `live`, it includes the
-/// controls.
+/// The HTML of a figure with an image and a caption in Markdown. An interactive figure also gets
+/// its controls, or the hint of a preview.
 pub fn figure_html(
     image: &str,
     caption: &str,

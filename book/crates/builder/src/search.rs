@@ -1,4 +1,4 @@
-//! The index that the search of the pages uses.
+//! The index for the search on the pages.
 
 use crate::fault::Faults;
 use crate::page::Element;
@@ -7,12 +7,13 @@ use anyhow::Result;
 use std::collections::{BTreeMap, BTreeSet};
 use std::iter;
 
-/// The words of readers, in the format that its first lines explain.
+/// What readers type into the search, in the format that the first lines of the file explain.
 pub const READER_WORDS: &str = include_str!("../search_words.txt");
 
-/// The script that gives the search the text of the book. For each page, it has the name, the
-/// title, and the id, title, prose, listings and readers' phrases of each section. Then it has the
-/// hints (the section to read, the compiler's messages, and a sentence) and groups of synonyms.
+/// The script that gives the search the text of the book. For each page, it has the name, the title
+/// and the sections. A section has an id, a title, its prose, its listings, and the phrases by
+/// which readers look for it. After the pages come the hints (the section to read, the compiler's
+/// messages, and a sentence) and the groups of synonyms.
 ///
 /// A section that `reader_words` names but the book doesn't have is a fault.
 pub fn index_script(site: &Site, reader_words: &str) -> Result<String> {
@@ -44,10 +45,10 @@ pub fn index_script(site: &Site, reader_words: &str) -> Result<String> {
     ))
 }
 
-/// What readers type that the book doesn't say.
+/// What readers type that isn't in the text of the book.
 #[derive(Debug, Default, PartialEq)]
 struct SearchVocabulary<'a> {
-    /// By the address of a section, the phrases by which readers look for it.
+    /// The phrases by which readers look for a section, keyed by the section's address.
     phrases: BTreeMap<&'a str, Vec<&'a str>>,
     /// The section to read, the compiler's messages, and a sentence that says what to do.
     hints: Vec<(&'a str, Vec<&'a str>, &'a str)>,
@@ -79,7 +80,8 @@ fn split_at_commas(phrases: &str) -> impl Iterator<Item = &str> {
     phrases.split(',').map(str::trim)
 }
 
-/// What the pictures show that link to a section, which are those of the gallery of mistakes.
+/// The alt texts of pictures that link to a section. Only a gallery of mistakes has such pictures,
+/// so readers can search for what went wrong with theirs.
 fn alt_texts_of_links_to<'a>(page: &'a Page, id: &str) -> Vec<&'a str> {
     let leads_here = |link: &&Element| {
         link.tag == "a" && link.attr("href").and_then(|href| href.strip_prefix('#')) == Some(id)
@@ -94,7 +96,8 @@ fn sections(page: &Page) -> impl Iterator<Item = [String; 4]> {
     let main = page.elements.iter().find(|element| element.tag == "main");
     let mut end = 0;
     for part in main.into_iter().flat_map(|main| page.descendants(main)) {
-        // Elements inside a part have been read with it. Some elements are only frames around parts.
+        // Skip elements inside a part that has been read already, and wrappers, whose parts are
+        // read one by one.
         let is_frame = matches!(part.attr("class"), Some("cover" | "with-margin"));
         if part.text.start < end || is_frame {
             continue;

@@ -11,7 +11,8 @@ use std::fs;
 use std::io::Cursor;
 use std::path::{Path, PathBuf};
 
-/// The folder, beside the chapters, for the files that a build generates.
+/// The folder for the files that a build generates. It is beside the chapters, and in the book
+/// beside the pages.
 pub const GENERATED: &str = "generated/";
 
 /// Everything that the chapters show.

@@ -44,7 +44,7 @@ fn directives_of_the_chapters_are_listed_and_expanded_above() {
         if !list.contains(&format!("*{kind}*")) && !list.contains(&format!("`{kind}`")) {
             faults.insert(format!("The list at the top of lib.rs has no {kind}."));
         }
-        // The text of this one depends on the caller of `expand_chapter`.
+        // The caller of `expand_chapter` decides what this one becomes.
         if kind != "our-folder" && !expanded.contains(kind) {
             faults.insert(format!("tests/one_of_each.md has no {{{{#{kind}}}}}."));
         }
@@ -60,7 +60,8 @@ fn each_fault_is_told_with_its_line() {
     insta::assert_snapshot!(faults.replace(&not_found, "[not found]"));
 }
 
-/// Few programs other than browsers support variables and `light-dark`.
+/// Slides may be made with a program that, unlike a browser, supports no variables and no
+/// `light-dark`.
 #[test]
 fn files_of_figures_have_a_plain_style() {
     let files: Vec<_> = SOURCES.generated.texts_with_suffix(".svg").collect();

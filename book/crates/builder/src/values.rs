@@ -1,7 +1,8 @@
 //! The numbers that `{{#value …}}` puts into a chapter, computed when the book is built.
 //!
-//! - `LIVE:NAME` is one of a figure's numbers, with default parameters, such as `row:D`.
-//! - `LIVE:I,J:NAME` is a number for a pixel of a picture, such as `step04_diffuse:470,120:t`.
+//! - `FIGURE:NAME` is one of a figure's numbers, with default parameters, such as `row:D`.
+//! - `FIGURE:I,J:NAME` is a number for a pixel of a picture with a probe, such as
+//!   `step04_diffuse:470,120:t`.
 //! - `R_d:OBJECT` is the R_d of an object in the scene, such as `R_d:salmon sphere`.
 //! - `NAME` is a count of rays or pixels in a whole picture, or the largest change among its
 //!   pixels.
@@ -83,7 +84,7 @@ fn compute_readouts(figure: &Figure, pixel: Option<&str>) -> Option<Readouts> {
     Some((figure.readouts)(&values))
 }
 
-/// Returns the count with this name.
+/// Computes the count with this name, or the largest change. Returns None for an unknown name.
 fn measured_count(name: &str) -> Option<usize> {
     Some(match name {
         "step02-touches" => count_rays(|ray| discriminant(&SPHERE, ray) == 0.0),
@@ -122,7 +123,8 @@ fn hit_indices(ray: &Ray) -> impl Iterator<Item = usize> {
     (0..OBJECTS.len()).filter(has_hit)
 }
 
-/// Returns how much each pixel changes without the test of n·l, for the pixels that do change.
+/// Draws the picture without the test of n·l, and returns by how much each pixel changes. Leaves
+/// out the pixels that don't.
 fn ungated_pixel_differences() -> Vec<usize> {
     let scene = scene();
     let ungated = render(&camera(), 1, |ray| ungated_colour(&scene, ray));
@@ -140,7 +142,7 @@ mod tests {
     fn readouts_of_a_figure_are_computed_once() {
         let values = Values::default();
         values.text("step02_sphere:300,150:a0", Notation::Prose).expect("a number");
-        // If the numbers were computed again, this one would be lost.
+        // Put a text into the cache. If the readouts were computed again, it would be lost.
         let key = ("step02_sphere".to_owned(), Some("300,150".to_owned()));
         let mut known = values.readouts.lock().expect("a map");
         let readouts = known.get_mut(&key).expect("the readouts of the pixel");
