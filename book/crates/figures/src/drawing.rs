@@ -97,8 +97,9 @@ impl Drawing {
         self.labels.push(Label { class: class.into(), position, text: text.into() });
     }
 
-    /// The position nearest to `position` where a label is inside the drawing and on no other one.
-    /// If there is none nearby, the label is only moved inside.
+    /// The position nearest to `position` where a label lies inside the drawing and overlaps no
+    /// other label. If there is no such position nearby, the label is only moved inside the
+    /// drawing.
     fn nearest_free(&self, class: &str, position: DVec2, text: &str) -> DVec2 {
         let box_at = |position| LabelBox::new(class, position, text);
         let inside = position + box_at(position).shift_into(dvec2(WIDTH, self.height));
@@ -140,7 +141,7 @@ impl Drawing {
     }
 }
 
-/// The directions in which a label gives way, the best first.
+/// The directions in which a label may be moved to a free place, the preferred ones first.
 const DIRECTIONS: [DVec2; 8] = [
     dvec2(0.0, -1.0),
     dvec2(1.0, 0.0),

@@ -43,10 +43,10 @@ pub enum Content {
     },
 }
 
-/// Texts by name: numbers and vectors, formatted for the page, and some phrases.
+/// Texts, keyed by name: numbers and vectors, formatted for the page, and some phrases.
 pub type Readouts = BTreeMap<String, String>;
 
-/// Collects texts by name.
+/// Makes readouts from pairs of a name and a text.
 pub fn collect_readouts<const N: usize>(texts: [(&str, String); N]) -> Readouts {
     texts.map(|(name, text)| (name.into(), text)).into()
 }

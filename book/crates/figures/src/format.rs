@@ -7,8 +7,7 @@ pub fn format_number(number: f64) -> String {
     if text == "-0" { "0".to_string() } else { text.replace('-', "−") }
 }
 
-/// Formats a number with at most this many digits after the point. More than four make no
-/// difference.
+/// Formats a number with at most this many digits after the point, and never more than four.
 pub fn format_rounded(number: f64, digits: i32) -> String {
     let power = 10_f64.powi(digits);
     format_number((number * power).round() / power)

@@ -110,9 +110,10 @@ impl Handle {
         Self::new(point.0, coordinates, locate, move |_, position| Some(view.to_world(position)))
     }
 
-    /// A handle in a picture that sets the x and y of a point in the world, and leaves its z. It
-    /// can't be dragged closer than `margin` to the border, and stays where it is if no point with
-    /// this z is ahead of the camera. If `camera_and_point` returns None, there is nothing to drag.
+    /// A handle in a picture that sets the x and y of a point in the world, and keeps the point's
+    /// z. The handle can't be dragged closer than `margin` to the border, and stays where it is if
+    /// no point with this z is ahead of the camera. If `camera_and_point` returns None, there is
+    /// nothing to drag.
     pub fn of_world_point_in_picture(
         words: &'static str,
         coordinates: [ParameterId; 2],

@@ -16,7 +16,8 @@ impl LabelBox {
     /// The box of a text of this class whose baseline is at `position`.
     pub fn new(class: &str, position: DVec2, text: &str) -> Self {
         let has = |name: &str| class.split(' ').any(|one| one == name);
-        // The theme's css/drawing.css has these sizes, and the larger ones for a phone.
+        // These are the sizes in the theme's css/drawing.css. Small text has the size that it gets
+        // on a phone, where it is largest.
         let size = match () {
             () if ["strong", "accent", "second"].into_iter().any(has) => 18.0,
             () if ["quiet", "small"].into_iter().any(has) => 15.5,
@@ -54,7 +55,7 @@ fn width_in_em(text: &str) -> f64 {
             '$' => is_symbol = !is_symbol,
             '_' if is_symbol => {}
             _ if is_symbol && previous == '_' => width += 0.45,
-            // They are larger than letters, and capitals lean.
+            // Symbols are larger than other text, and their slanted capitals need extra room.
             'A'..='Z' if is_symbol => width += 0.88,
             _ if is_symbol => width += 1.08 * letter_width(letter),
             _ => width += letter_width(letter),

@@ -10,12 +10,12 @@ use step01_rays::{Ray, render};
 /// The columns and rows of the course's pictures.
 pub const SIZE: DVec2 = dvec2(PICTURE_COLUMNS as f64, PICTURE_ROWS as f64);
 
-/// The column and row of the probe's pixel.
+/// The parameters for the column and row of the probe's pixel.
 pub const I: ParameterId = ParameterId::new("i");
 pub const J: ParameterId = ParameterId::new("j");
 
-/// A picture of the course with these parameters and a probe, which is at the pixel (i, j) by
-/// default.
+/// A figure that shows a picture of the course's size, with a probe that is at the pixel (i, j) by
+/// default, and with these other parameters.
 pub fn probed_picture(
     name: &'static str,
     [i, j]: [f64; 2],

@@ -1,6 +1,7 @@
 //! Text in HTML and SVG: symbols written as in the formulas, and escaping.
 
-/// Writes a symbol in the letters of the formulas. `_` makes the next character a subscript.
+/// Writes a symbol as SVG, in the italic letters of the formulas. `_` makes the next character a
+/// subscript.
 pub fn symbol_spans(text: &str) -> String {
     let mut spans = String::from(r#"<tspan class="math">"#);
     let mut letters = text.chars().map(italic_letter);

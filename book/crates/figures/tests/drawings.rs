@@ -9,7 +9,7 @@ use figures::{
 use glam::{DVec2, dvec2};
 use insta::assert_snapshot;
 
-/// The reply to a request, split into lines. The last lines are the first pixels.
+/// The reply to a request, split into lines. If it has pixels, it ends with the first 40 of them.
 fn reply_lines(request: &str) -> String {
     let Reply { text, pixels } = reply(request);
     let text = json_lines(&text).replace("\\\"", "\"").replace("\\u000a", "\n");
@@ -113,8 +113,8 @@ fn replies_are_as_locked() {
     }
 }
 
-/// The default values, and those with each parameter at both ends of its range, alone and together
-/// with the others.
+/// The default values, the values with a single parameter at an end of its range, and the values
+/// with all parameters at the lower or at the upper ends.
 fn values_at_limits(figure: &Figure) -> Vec<ParameterValues> {
     let mut all = vec![figure.default_values()];
     for end in [0, 1] {

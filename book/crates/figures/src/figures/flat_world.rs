@@ -109,12 +109,13 @@ fn draw(values: &ParameterValues) -> Drawing {
         let class = if is_seen { "object seen" } else { "object" };
         let radius = VIEW.scale.x * sphere.radius;
         drawing.circle(class, position(sphere.centre), radius);
-        // Next to the handle, which is large on a phone, and not on the outline.
+        // The number is beside the handle, which is large on a phone, and keeps clear of the
+        // outline.
         let right = if radius < 35.0 { radius + 10.0 } else { 25.0 };
         let label = position(sphere.centre) + dvec2(right, 5.0);
         drawing.label("over", label, &material.to_string());
     }
-    // A ray that hits nothing is drawn to beyond the edge.
+    // A ray that hits nothing is drawn past the edge of the drawing.
     let end = leaving.map(|ray| ray.start + 20.0 * ray.direction.normalize());
     let corners = hits.iter().map(|hit| hit.point.p).chain(end);
     drawing.path("ray", [world.ray.start].into_iter().chain(corners).map(position));
@@ -139,7 +140,7 @@ fn draw(values: &ParameterValues) -> Drawing {
     drawing
 }
 
-/// A phrase about what the ray hits.
+/// Describes in one phrase what the ray hits.
 fn readouts(values: &ParameterValues) -> Readouts {
     let world = FlatWorld::new(values);
     let (hits, leaving) = world.trace();

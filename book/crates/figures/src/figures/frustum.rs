@@ -83,7 +83,7 @@ fn draw(values: &ParameterValues) -> Drawing {
         let class = if part == "cut away" { "behind" } else { "object" };
         let (centre, radius) = (side_view_position(sphere.centre), VIEW.scale.x * sphere.radius);
         drawing.circle(class, centre, radius);
-        // On the side away from the other rays.
+        // The label is on the side away from the other rays.
         let below = if sphere.centre.y > 0.0 { -radius - 10.0 } else { radius + 40.0 };
         drawing.label("quiet over", centre + dvec2(0.0, below), part);
         let ray = Ray { start: DVec3::ZERO, direction: sphere.centre };

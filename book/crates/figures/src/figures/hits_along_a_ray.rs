@@ -59,7 +59,8 @@ fn draw(values: &ParameterValues) -> Drawing {
     drawing.dot("eye", position(0.0));
     drawing.label("strong over", position(0.0) + dvec2(0.0, -12.0), "$S$");
     for Object { sphere, material: k, .. } in &objects {
-        // One row per sphere. Its two numbers are written outwards, so that they don't overlap.
+        // One row per sphere. Its two numbers are to the left of the first root and to the right of
+        // the second, so that they don't overlap.
         let y = 222.0 + 20.0 * *k as f64;
         for (t, anchor) in sphere.intersect(&ray).into_iter().zip(["end", "start"]) {
             let (dot, label) = match nearest_hit {

@@ -60,7 +60,7 @@ fn draw(values: &ParameterValues) -> Drawing {
     for (n, (angle, y)) in
         exponents.into_iter().zip([(0.12, 226.0), (0.44, 190.0), (0.6, 154.0), (0.7, 118.0)])
     {
-        // The leader ends on the lobe, to the right of r and above the ground.
+        // The line from a label to its lobe ends to the right of r and above the ground.
         let v = DVec2::from_angle((r.to_angle() - FRAC_PI_4 + angle).max(0.0));
         let label = dvec2(418.0, y);
         drawing.line("axis", on_lobe(n, v), label - dvec2(5.0, 5.0));

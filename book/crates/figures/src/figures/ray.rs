@@ -1,4 +1,4 @@
-//! A ray, with points at several t.
+//! A ray, with the points at several values of t.
 
 use super::*;
 use step01_rays::Ray;
@@ -23,8 +23,8 @@ const CONTENT: Content = Content::Drawing {
     draw,
 };
 
-/// A ray in the plane z = 0 with points at several t, and another point that stays at the same
-/// distance from S when V gets longer.
+/// A ray in the plane z = 0 with the points at several values of t, and another point that stays at
+/// the same distance from S when V gets longer.
 pub fn figure() -> Figure {
     let start = Parameter::point(START, [0.0, 0.0], [[-2.0, 7.0], [-0.5, 2.5]], 10.0);
     let v = Parameter::point(V, [2.4, 0.7], [[-4.0, 7.0], [-4.0, 4.0]], 10.0);
@@ -55,7 +55,7 @@ pub fn figure() -> Figure {
     }
 }
 
-/// The ray, and the t of the point at the distance that is set.
+/// The ray, and the t of the point at the chosen distance from S.
 fn ray_and_t(values: &ParameterValues) -> (Ray, f64) {
     let [start, direction] = [START, V].map(|point| values.point(point).extend(0.0));
     (Ray { start, direction }, values[DISTANCE] / direction.length())
@@ -86,7 +86,7 @@ fn draw(values: &ParameterValues) -> Drawing {
     drawing.arrow("vector", s + BESIDE, tip(values));
     drawing.label("strong over", position(0.5) + BESIDE + dvec2(-6.0, -10.0), "$V$");
     drawing.label("strong over", s + dvec2(-18.0, -12.0), "$S$");
-    // Below a ray that rises to the right, above one that falls.
+    // The labels are below a ray that rises to the right, and above one that falls.
     let shift = dvec2(8.0, if v.x * v.y <= 0.0 { 28.0 } else { -18.0 });
     for t in (-1..10).map(|k| f64::from(k).max(-0.5)) {
         let label = position(t) + shift;
@@ -98,7 +98,7 @@ fn draw(values: &ParameterValues) -> Drawing {
     let (_, t) = ray_and_t(values);
     let sign = if t < 0.0 { '−' } else { '+' };
     let label = format!("$S$ {sign} {}$V$", format_rounded(t.abs(), 2));
-    // Above the ray, or below it near the top of the drawing.
+    // The label is above the ray, or below it near the top of the drawing.
     let above = position(t) + dvec2(-10.0, -24.0);
     let label_position = if above.y < 14.0 { position(t) + dvec2(-10.0, 30.0) } else { above };
     drawing.label("over", label_position, &label);

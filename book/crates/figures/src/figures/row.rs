@@ -74,7 +74,8 @@ fn draw(values: &ParameterValues) -> Drawing {
         drawing.line("ray faint", c, end);
         drawing.dot("ray", tips[i]);
         if [0, last].contains(&i) {
-            // In a narrow view, the two numbers are further apart than the rays.
+            // In a narrow view, the rays are too close for the two numbers, which are then moved
+            // apart.
             let apart = if i == 0 { end.x.min(c.x - 26.0) } else { end.x.max(c.x + 26.0) };
             drawing.label("quiet", dvec2(apart, end.y - 8.0), &format!("$i$ = {i}"));
         }
@@ -82,7 +83,7 @@ fn draw(values: &ParameterValues) -> Drawing {
     drawing.arc("axis", c, 54.0, [PI - v_0.to_angle(), v_0.to_angle()]);
     drawing.label("over", c + dvec2(13.0, -64.0), "$θ$");
     drawing.arrow("vector", c, tips[0]);
-    // To the left of the arrow, at a right angle to it.
+    // The label is beside the arrow, on its left.
     let beside = 20.0 * (tips[0] - c).normalize().perp();
     drawing.label("strong", (c + tips[0]) / 2.0 - beside + dvec2(0.0, 6.0), "$V_0$");
     for step in tips.windows(2).take(2) {

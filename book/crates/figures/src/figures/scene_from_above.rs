@@ -32,8 +32,8 @@ pub fn figure() -> Figure {
     }
 }
 
-/// The outline of what the plane through the row of `ray` cuts out of a sphere. Returns None if the
-/// plane misses the sphere.
+/// The outline of the disc that a plane cuts out of a sphere: the plane through the eye and the row
+/// of pixels to which `ray` belongs. Returns None if the plane misses the sphere.
 fn cut_outline(sphere: &Sphere, ray: &Ray) -> Option<Vec<DVec2>> {
     let ahead = ray.direction.with_x(0.0);
     let along = ahead.normalize();

@@ -18,7 +18,7 @@ pub enum Target {
     Mirrors,
     /// Whether the scene has the object or light with this index.
     Presence(Owner, usize),
-    /// A number of the owner with this index.
+    /// A number that belongs to the camera or the scene, or to the object or light with this index.
     Scalar(&'static Scalar, usize),
 }
 
@@ -101,7 +101,7 @@ pub fn complete_scene(values: &ParameterValues) -> OwnScene {
     own
 }
 
-/// The scene of step 5 with everything that can be switched on.
+/// The scene of step 5, plus the spheres and the light that are off by default.
 fn largest_scene() -> OwnScene {
     let mut scene = scene();
     scene.objects.extend([

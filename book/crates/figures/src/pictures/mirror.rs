@@ -25,7 +25,7 @@ const OFFSETS: &[&str] = &[
     "1e-6", "1e-5", "1e-4", "1e-3", "1e-2", "1e-1", "1",
 ];
 
-/// The maximum depth, which is the example's.
+/// The maximum depth, the same as in the example.
 const MAX_DEPTH: u32 = 10;
 
 /// The picture of the example `mirror`, with a probe. The depth and the offset can be set, and so

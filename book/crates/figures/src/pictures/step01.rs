@@ -12,7 +12,7 @@ pub const FIELD_OF_VIEW: ParameterId = ParameterId::new("field of view");
 pub const ASPECT_RATIO: ParameterId = ParameterId::new("aspect ratio");
 pub const COLUMNS: ParameterId = ParameterId::new("columns");
 
-/// The lecture's four aspect ratios, which have the names below on the control.
+/// The lecture's four aspect ratios. Their names on the control follow.
 const ASPECT_RATIOS: [AspectRatio; 4] = [
     AspectRatio { width: 4.0, height: 3.0 },
     AspectRatio { width: 16.0, height: 9.0 },
