@@ -1,4 +1,5 @@
-//! Copies the five steps into modules in which each place first asks for the reader's expression.
+//! Copies the source of the five steps into modules. In the copy, each *place* (an expression that
+//! a reader may edit) first asks whether the reader has edited it.
 
 #[path = "../course/src/crate_as_module.rs"]
 mod crate_as_module;
@@ -15,7 +16,7 @@ use std::{collections::BTreeMap, env, path::Path};
 
 const STEPS: &str = "../../../steps";
 
-/// In the copy, this replaces the file of step 1 that shares the rows among threads.
+/// In the copy, this replaces step 1's draw_pixels.rs, which shares the rows among threads.
 const DRAW_PIXELS: &str = "pub use crate::expressions::draw_pixels;\n";
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -56,8 +57,8 @@ fn source_files() -> Result<BTreeMap<String, String>, Box<dyn Error>> {
     Ok(files)
 }
 
-/// Rewrites a file of the steps so that each place first asks for the value of the reader's line,
-/// and a failed `debug_assert!` ends the picture instead of the whole module.
+/// Rewrites a source file of a step so that each place first asks for the value of the reader's
+/// line, and a failed `debug_assert!` ends the picture instead of the whole module.
 ///
 /// The steps have no hook for that question and don't get one, because the book shows every line of
 /// them. So they are compiled a second time, from a text in which a few words are replaced. That

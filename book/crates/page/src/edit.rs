@@ -21,7 +21,8 @@ const FULL_SIZE: u32 = PICTURE_COLUMNS;
 /// 150 ms in a browser, on top of the book's own code.
 const MAX_OPERATIONS: u64 = 4_000_000;
 
-/// The distance between the pixels of a later step that are tried, both across and down.
+/// The distance between the pixels that are tried in the picture of a later step, both across and
+/// down.
 const DISTANCE: u32 = 12;
 
 /// A request from a page: the edited lines, each with its place, and the width of the picture.
@@ -80,9 +81,9 @@ impl<'a> EditRequest<'a> {
 }
 
 /// Draws a step with the reader's lines in it. Replies with the picture and the names that the
-/// first line may use, or with what is wrong: in which line, and from which byte to which. For a
-/// picture at full size, the reply also says whether it is right or the result of a known mistake.
-/// See [`EditRequest::parse`] for the format of `words`.
+/// first line may use, or with what is wrong: in which line, and in which range of it, in UTF-16
+/// code units. For a picture at full size, the reply also says whether it is right or the result of
+/// a known mistake. See [`EditRequest::parse`] for the format of `words`.
 pub fn edit(words: &str) -> Reply {
     let Some(edit) = EditRequest::parse(words) else {
         return Reply::default();
@@ -150,14 +151,15 @@ fn describe(edit: &EditRequest, picture: &RgbImage) -> Option<String> {
     Some(format!("A known mistake gives the same pixels: {}.", mistake.title))
 }
 
-/// A sentence about lines that change no pixel of step 2, where a picture shows whether a ray meets
-/// the ball, but not at which t: which later step shows what they change. None if that would take
+/// Says which later step, if any, would show what the lines change. They change no pixel of step 2,
+/// whose picture shows whether a ray meets the ball, but not at which t. Returns None if this takes
 /// too long to find out.
 fn describe_later_steps(edit: &EditRequest) -> Option<String> {
     let lines = edit.expressions().ok()?;
     let blind = "This picture can't show what you changed here: it shows whether a ray meets the \
                  ball, not at which t.";
-    // As many operations for each pixel as a picture in full size may take, and seven balls.
+    // Per pixel, this is eight times what a picture at full size may take, because a later step may
+    // evaluate the lines for each of its nine balls.
     let operations = 8 * MAX_OPERATIONS / u64::from(DISTANCE * DISTANCE);
     let draw = |step: &str, lines: &[Expression]| {
         draw_some_pixels(step, lines, DISTANCE, FULL_SIZE, operations)

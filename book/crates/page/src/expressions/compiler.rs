@@ -118,7 +118,7 @@ impl Compiler<'_> {
         let path = receiver.value_type.name().to_owned() + &name;
         let call = Call { syntax, name: &path, name_range, parts: &parts };
         match name.strip_prefix("::") {
-            // For example f64::from, which isn't a method.
+            // An associated function such as f64::from, which isn't a method.
             Some(name) if !is_method(receiver.value_type, name) => {
                 Err(self.explain_refused_call(call))
             }
@@ -162,7 +162,7 @@ impl Compiler<'_> {
     }
 }
 
-/// A run that calls a function with the values of these runs.
+/// Makes a run that calls a function with the values that these runs compute.
 fn call_run(function: &'static Function, runs: &[Run], name_range: Range<usize>) -> Run {
     match (function.name, runs) {
         ("&&", [first, second]) => short_circuit(first.clone(), second.clone(), false),
@@ -176,7 +176,8 @@ fn call_run(function: &'static Function, runs: &[Run], name_range: Range<usize>)
     }
 }
 
-/// A run for `&&` or `||`: the value of `first` if it equals `decisive`, or else that of `second`.
+/// Makes the run for `&&` or `||`. If the value of `first` is `decisive`, that is the result, and
+/// `second` isn't evaluated. Otherwise, the value of `second` is the result.
 fn short_circuit(first: Run, second: Run, decisive: bool) -> Run {
     Run::Call(Rc::new(move |evaluation| {
         evaluation.spend(1)?;
@@ -185,8 +186,8 @@ fn short_circuit(first: Run, second: Run, decisive: bool) -> Run {
     }))
 }
 
-/// A run that calls a function with the values of this many runs. If there is no result, the name
-/// at `name_range` is to blame.
+/// Makes a run that calls a function of N arguments with the values that these runs compute. If the
+/// function has no result, the error points to its name, at `name_range`.
 fn join_runs<const N: usize>(
     function: &'static Function,
     runs: [Run; N],

@@ -29,7 +29,7 @@ struct Context {
     /// 5, a single ray consults more than sixty places. With a list instead of these bits, a
     /// picture on a page took twice as long.
     edited: Cell<u64>,
-    /// The distance of the pixels that are drawn, both ways.
+    /// The distance between pixels that are drawn, both across and down. At 1, all are drawn.
     distance: Cell<u32>,
     picture: RefCell<EditedPicture>,
 }
@@ -152,8 +152,8 @@ pub fn draw_edited(
     draw_step(step_name, lines, columns, operations)
 }
 
-/// Some pixels of the picture of any step, at this distance from each other both ways. The others
-/// are black.
+/// Draws some pixels of a step's picture, at this distance from each other both across and down.
+/// The others stay black.
 pub fn draw_some_pixels(
     step_name: &str,
     lines: &[Expression],

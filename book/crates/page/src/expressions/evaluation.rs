@@ -24,7 +24,7 @@ impl Expression {
     }
 }
 
-/// How to compute the value of a part of a line.
+/// How to compute the value of a part of a line, such as an operand.
 #[derive(Clone)]
 pub enum Run {
     /// The value is the same for every pixel.
@@ -80,10 +80,10 @@ impl Evaluation {
         run.evaluate(self)
     }
 
-    /// Spends operations. A function, a method, an operator or a branch takes one each time it is
-    /// evaluated, and so does the line as a whole, since none of them takes much longer than
-    /// another; only a remainder may take more. A count is the same on every machine, unlike a
-    /// time.
+    /// Spends some of the picture's operations. A function, a method, an operator or a branch costs
+    /// one each time it is evaluated, since they all take about equally long. Only a remainder may
+    /// cost more. The line as a whole costs one, too. We count operations rather than measure time
+    /// so that the same line is refused on every machine.
     #[inline]
     pub fn spend(&mut self, operations: u64) -> Result<(), Interruption> {
         match self.operations_left.checked_sub(operations) {

@@ -33,8 +33,8 @@ pub fn find_function(name: &str, types: &[ValueType]) -> Option<&'static Functio
     functions().find(|function| function.name == name && function.parameters == types)
 }
 
-/// The number of operations that the remainder of `values` counts as. It is computed bit by bit,
-/// which takes longest if the quotient is large.
+/// The number of operations that the remainder of two `values` counts as. A remainder is computed
+/// bit by bit, so it takes long if the quotient is large.
 pub fn remainder_operations(values: &[Value]) -> u64 {
     let operations = |a: f64, b: f64| if a.abs() > 1e15 * b.abs() { 41 } else { 1 };
     let of_vectors = |a: DVec3, b: DVec3| (0..3).map(|axis| operations(a[axis], b[axis])).sum();

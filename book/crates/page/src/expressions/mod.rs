@@ -4,11 +4,11 @@
 //! A *place* is an expression in the steps that matters in the lecture; `places.txt` lists them
 //! all. The build script copies the steps' source, and makes each place first ask for the value of
 //! the reader's line (`value_of_line`). The line is parsed by `syn`. The *compiler* looks up its
-//! operators, functions and methods in a table of *functions*, which has the types that they have
-//! in Rust, and combines those it finds into a single closure that runs for each pixel. Whatever
-//! Rust would refuse is refused, with the range that is wrong and a sentence that explains it. The
-//! same happens to a line that would make the reader's program panic while drawing, or that needs
-//! more *operations* than a page has time for.
+//! operators, functions and methods in a table of *functions*, with the same types as in Rust, and
+//! combines what it finds into a single closure that runs for each pixel. Whatever Rust would
+//! refuse is refused, with the range that is wrong and a sentence that explains it. The same
+//! happens to a line that would make the reader's program panic while drawing, or that needs more
+//! *operations* than a page has time for.
 
 #[allow(clippy::all, missing_docs, dead_code, unused, reason = "copied code")]
 mod steps {

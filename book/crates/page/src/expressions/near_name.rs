@@ -3,7 +3,8 @@
 /// The minimum length of a name that is recognised although some of its letters are wrong.
 const LEAST_LETTERS: usize = 3;
 
-/// Words from other languages, each with the names that Rust and glam use for the same thing.
+/// Words from other languages and libraries, each with the names that Rust and glam use for the
+/// same thing.
 const SYNONYMS: &[(&str, &[&str])] = &[
     ("arccos", &["acos"]),
     ("arcsin", &["asin"]),

@@ -1,4 +1,5 @@
-//! Splits syntax that calls a function, such as an operator, a cast, a field or a method.
+//! Splits an operation into its name and its operands. Operators, casts, fields, methods and calls
+//! are all operations, and the table of functions has an entry for each.
 
 use crate::expressions::refusal::{Fault, Refusal, refuse};
 use quote::ToTokens;
@@ -20,7 +21,8 @@ pub fn write_tokens(syntax: &impl ToTokens) -> String {
     syntax.to_token_stream().to_string().split_whitespace().collect()
 }
 
-/// Splits syntax into the function or operator that it calls and the operands.
+/// Splits syntax into the name of the function or operator that it calls, the operands, and the
+/// range of that name.
 pub fn split_operation(syntax: &Expr) -> Result<Operation<'_>, Refusal> {
     Ok(match syntax {
         Expr::Unary(unary) => {

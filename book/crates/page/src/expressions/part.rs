@@ -15,7 +15,7 @@ pub struct Part {
     pub run: Run,
     pub value_type: ValueType,
     /// Whether the part is a literal such as 2.0, or made of such literals alone, so that Rust
-    /// doesn't know its type yet. Such a part has no methods.
+    /// doesn't know its type yet. A method can't be called on such a part.
     pub is_open: bool,
     /// The bytes of the line that the part was compiled from.
     pub range: Range<usize>,

@@ -173,7 +173,8 @@ pub enum Fault {
 }
 
 impl Fault {
-    /// The code that its sentence offers in place of the wrong part of the line.
+    /// The code that the fault's sentence offers to replace the wrong part of the line. None if it
+    /// offers no code, or only code with gaps.
     pub fn cure(&self) -> Option<&str> {
         let cure = match self {
             Fault::Assignment { cure, .. }
@@ -191,7 +192,7 @@ impl Fault {
             Fault::Reference | Fault::Semicolon => "",
             _ => return None,
         };
-        // The reader fills in what … stands for.
+        // A … is a gap, which only the reader can fill in.
         (!cure.contains('…')).then_some(cure)
     }
 }

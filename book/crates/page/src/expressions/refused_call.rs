@@ -23,7 +23,7 @@ pub struct Call<'a> {
     pub name: &'a str,
     /// The range of the name in the line.
     pub name_range: Range<usize>,
-    /// The value that it belongs to, if there is one, and the arguments.
+    /// The receiver, if there is one, followed by the arguments.
     pub parts: &'a [Part],
 }
 
@@ -56,12 +56,12 @@ pub fn explain_mismatch(subject: &str, part: &Part, text: &str, wanted: ValueTyp
     Fault::Mismatch { subject: subject.to_owned(), wanted, actual, cure }
 }
 
-/// Whether a method of values of this type has this name.
+/// Whether values of this type have a method with this name.
 pub fn is_method(receiver: ValueType, name: &str) -> bool {
     !NO_METHODS.contains(&name) && is_known(&format!("{}::{name}", receiver.name()))
 }
 
-/// The fields and methods of a type, under their names.
+/// The fields and methods of a type, each with its name.
 fn members(receiver: ValueType) -> impl Iterator<Item = (&'static str, &'static Function)> {
     functions().filter_map(move |function| {
         let member = function.name.strip_prefix(receiver.name())?;
@@ -73,7 +73,8 @@ fn members(receiver: ValueType) -> impl Iterator<Item = (&'static str, &'static 
     })
 }
 
-/// A field as a line has it, such as `x`, or a method, such as `length()` or `dot(…)`.
+/// Writes a field as it appears in a line, such as `x`, or a method, such as `length()` or
+/// `dot(…)`.
 fn write_member((name, function): (&str, &Function)) -> String {
     match function.parameters {
         _ if function.name.contains('.') => name.to_owned(),
@@ -82,7 +83,7 @@ fn write_member((name, function): (&str, &Function)) -> String {
     }
 }
 
-/// An expression in parentheses, which it may have already.
+/// Puts parentheses around an expression, unless it has them already.
 fn in_parentheses(text: &str) -> String {
     let has_them = matches!(syn::parse_str(text), Ok(Expr::Paren(_)));
     if has_them { text.to_owned() } else { format!("({text})") }
@@ -103,7 +104,8 @@ fn is_atomic(text: &str) -> bool {
     )
 }
 
-/// Whether two chains such as `sphere.centre` differ by a letter or two in a word.
+/// Whether two chains such as `sphere.centre` are equally long, and each name in one is the same as
+/// in the other or close to it.
 fn is_near_chain(name: &str, known: &str) -> bool {
     let is_near = |(word, known): (&str, &str)| find_near_name(word, once(known)).is_some();
     name.matches('.').count() == known.matches('.').count()
@@ -128,7 +130,7 @@ impl Compiler<'_> {
         }
         let mut wanted_types = ValueType::ALL;
         if types.contains(&ValueType::Array) {
-            // An array is nearly a vector.
+            // An array is most likely meant to be a vector, so try that first.
             wanted_types.sort_by_key(|value_type| *value_type != ValueType::Vector);
         }
         for value_type in wanted_types {
@@ -246,7 +248,7 @@ impl Compiler<'_> {
         let near = near.and_then(|near| members(value_type).find(|(known, _)| *known == near));
         if let Some(near) = near {
             let (end, near) = match syntax {
-                // The parentheses are there.
+                // The line has the parentheses already.
                 Expr::MethodCall(_) if is_method(value_type, near.0) => {
                     (name_range.end, near.0.to_owned())
                 }
@@ -270,8 +272,8 @@ impl Compiler<'_> {
         Refusal { range: name_range, fault }
     }
 
-    /// Says that there is no such name, and offers the one that is nearly right, or lists those that
-    /// there are. The name may be called with parts.
+    /// Says that there is no such name, and offers the one that is nearly right, or lists those
+    /// that there are. If the line calls the name as a function, the arguments are in `parts`.
     fn explain_unknown_name(&self, Call { syntax, name, name_range, parts }: Call) -> Refusal {
         if let Some(cure) = self.write_as_method(name, parts) {
             let is_open = parts[0].is_open;
@@ -296,7 +298,8 @@ impl Compiler<'_> {
         Refusal { range: name_range, fault }
     }
 
-    /// A call such as `sqrt(d)` as Rust has it, if a method of the first part has this name.
+    /// Rewrites a call such as `sqrt(d)` as the call of a method, `d.sqrt()`. Returns None if the
+    /// first argument has no method of this name.
     fn write_as_method(&self, name: &str, parts: &[Part]) -> Option<String> {
         let last = name.rsplit("::").next().unwrap_or_default();
         let (first, others) = parts.split_first()?;
@@ -324,7 +327,7 @@ impl Compiler<'_> {
         })
     }
 
-    /// The name of a value or the path of a function that is most like `name`.
+    /// Finds the name of a value, or the path of a function, that is most like `name`.
     fn find_near_path(&self, name: &str) -> Option<String> {
         let variables = || self.names.iter().map(|(known, _)| &**known);
         let converted = format!("f64::from({name})");
@@ -335,11 +338,11 @@ impl Compiler<'_> {
         let is_here = |path: &&str| self.place.has_vectors || !path.starts_with("DVec3");
         let paths = functions().map(|function| function.name).filter(|path| path.contains("::"));
         let paths: Vec<_> = paths.filter(is_here).collect();
-        // Such as the PI of std::f64::consts::PI.
+        // The last name in a path, such as PI in std::f64::consts::PI.
         let last = |path: &str| path.rsplit("::").next().unwrap_or_default().to_ascii_lowercase();
         let find_last = |wanted: &str| {
             let mut paths = paths.iter().filter(|path| last(path) == wanted);
-            // `DVec3::normalise` is rather of DVec3 than of f64.
+            // For `DVec3::normalise`, a function of DVec3 is preferred to one of f64.
             let owner = name.split("::").next().unwrap_or_default();
             let own = paths.clone().find(|path| path.starts_with(owner));
             own.or_else(|| paths.next()).map(|path| (*path).to_owned())
@@ -352,7 +355,7 @@ impl Compiler<'_> {
         })
     }
 
-    /// A name of the place as places.txt has it, with its blanks.
+    /// Writes one of the place's names as it is in places.txt, with its spaces.
     fn write_name(&self, known: &str) -> String {
         let variables = self.place.variables.iter().map(|(name, _)| *name);
         let mut names =
@@ -406,8 +409,9 @@ impl Compiler<'_> {
         Some(Refusal { range, fault })
     }
 
-    /// Refuses the call of an unknown function with something that is no value by itself, such as
-    /// `direction_colour(ray)`: then it is the function that is unknown.
+    /// Refuses a call such as `direction_colour(ray)`: the function is unknown, and there are
+    /// either no arguments or one that isn't a value by itself, such as `ray`. Without this, the
+    /// reader would be told about the argument, although it's the function that can't be used here.
     pub fn refuse_unknown_function(&self, syntax: &Expr) -> Option<Refusal> {
         let Expr::Call(call) = syntax else { return None };
         let name = write_tokens(&call.func);

@@ -1,4 +1,4 @@
-//! Compiles `if` and `let`, which do more than call a function of their operands.
+//! Compiles `if` and `let`, which do more than call a function with their operands.
 
 use crate::expressions::compiler::Compiler;
 use crate::expressions::evaluation::Run;
@@ -159,7 +159,7 @@ impl Compiler<'_> {
         }
         let [left, right] = [&assignment.left, &assignment.right].map(range_of);
         let right_text = &self.text[right];
-        // Such as v.with_x(1.0) for v.x = 1.0.
+        // The cure for v.x = 1.0, for example, is v.with_x(1.0).
         let with_field = match (&*assignment.left, self.place.value_type) {
             (Expr::Field(field), ValueType::Vector) => {
                 let base = self.compile_expression(&field.base).ok();

@@ -10,12 +10,13 @@ use syn::{Block, Stmt};
 /// a page's stack.
 const MAX_LENGTH: usize = 250;
 
-/// Parses a line: an expression, or, at the end of a block, statements with a value behind them.
+/// Parses a line: an expression or, if the place is at the end of a block, statements followed by a
+/// value.
 pub fn parse_syntax(place: &Place, text: &str) -> Result<Vec<Stmt>, Refusal> {
     let has_note = |note| place.notes.contains(&note);
     let ends_block = has_note(PlaceNote::EndsBlock);
     check_signs(text, ends_block || has_note(PlaceNote::EndsRow))?;
-    // Otherwise, every line ever parsed would stay in memory.
+    // Forget the lines parsed so far, all of which would otherwise stay in memory.
     proc_macro2::extra::invalidate_current_thread_spans();
     let error = match syn::parse_str(text) {
         Ok(syntax) => return Ok(vec![Stmt::Expr(syntax, None)]),
@@ -31,7 +32,8 @@ pub fn parse_syntax(place: &Place, text: &str) -> Result<Vec<Stmt>, Refusal> {
     Err(refusal)
 }
 
-/// Where a comment begins that hides what follows the text: // in its last row.
+/// Finds a comment that begins with // in the last row of the text. Such a comment would hide
+/// whatever follows the text in the listing.
 fn find_last_comment(text: &str) -> Option<usize> {
     let (mut depth, mut at) = (0, 0);
     while at < text.len() {

@@ -38,7 +38,7 @@ pub fn describe_type(value_type: ValueType) -> &'static str {
     }
 }
 
-/// Describes values of these types, such as `two vectors and a number`.
+/// Describes values of these types, such as `two vectors and one number`.
 pub fn describe_types(types: &[ValueType]) -> String {
     let groups = types.chunk_by(|a, b| a == b).map(|group| match (group.len(), group[0]) {
         (1, ValueType::Bool) => describe_type(ValueType::Bool).to_owned(),
@@ -63,7 +63,7 @@ fn count_word(count: usize) -> String {
     words.get(count).map_or(count.to_string(), |word| (*word).to_owned())
 }
 
-/// Words as they begin a sentence.
+/// Capitalises the first letter, as at the beginning of a sentence.
 pub fn capitalise(words: &str) -> String {
     let (first, rest) = words.split_at(words.ceil_char_boundary(1));
     first.to_ascii_uppercase() + rest

@@ -1,6 +1,6 @@
-//! The lines of lines.txt that are accepted, and those that are once they have their cures in them,
-//! are written into copies of their steps. rustc has to compile them there, and they have to draw
-//! the pictures that a page draws.
+//! Writes lines from lines.txt into copies of their steps: the lines that are accepted, and those
+//! that are accepted once their cures have been applied. rustc has to compile the copies, and these
+//! have to draw the same pictures as a page.
 
 use crate::lines::cure_line;
 use course::{
@@ -33,7 +33,7 @@ fn print_hash(picture: image::RgbImage) {
 
 const COLUMNS: u32 = 64;
 
-/// The accepted lines that draw a picture, each once, with its hash.
+/// The accepted lines that draw a picture, without duplicates, each with the hash of its picture.
 fn drawn_lines() -> Vec<(Place, String, u64)> {
     let mut known_lines = BTreeSet::new();
     let lines = include_str!("lines.txt").lines().filter_map(|line| {
@@ -79,7 +79,7 @@ fn accepted_lines_draw_the_same_picture_in_their_steps() {
         let module = format!("m{index}");
         write_step(&folder.join("src"), place, text, &module);
         modules += &format!("mod {module};\n");
-        // Step 1 has the camera itself.
+        // Step 1 defines the camera itself.
         let owner = if place.step_name() == Step::Rays.name() { &module } else { "step01_rays" };
         let camera = format!("{owner}::Camera::new({COLUMNS}, 36, 60_f64.to_radians())");
         calls += &format!("print_hash({module}::picture(&{camera}, 1));\n");

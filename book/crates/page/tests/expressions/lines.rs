@@ -22,11 +22,12 @@ fn refused_lines_have_their_range_and_sentence() {
     insta::assert_snapshot!(report);
 }
 
-/// The line with the cures in it that its refusals offer, one after the other.
+/// Applies the cures that the refusals of a line offer, one after the other, and returns the line
+/// that results.
 ///
 /// # Panics
 ///
-/// Panics if a cure is refused itself.
+/// Panics if the code that a cure has put in is refused in its turn.
 pub fn cure_line(place: &Place, text: &str) -> String {
     let mut cured = text.to_owned();
     let mut last = None;
@@ -34,7 +35,7 @@ pub fn cure_line(place: &Place, text: &str) -> String {
         let Err(Refusal { range, fault }) = parse_expression(place, &cured) else { break };
         if let Some(Range { start, end }) = last {
             let is_in_cure = start <= range.start && range.end <= end;
-            // What stands around a cure may ask for another type.
+            // The code around a cure may require a different type.
             let is_of_type = matches!(fault, Fault::WholeNumber { .. } | Fault::Mismatch { .. });
             assert!(!is_in_cure || is_of_type, "{text}, cured: {cured}: {fault}");
         }

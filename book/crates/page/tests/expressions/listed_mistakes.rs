@@ -26,8 +26,8 @@ fn places_and_listed_mistakes_are_drawn_by_an_edited_line() {
                 Ok(picture) => assert_eq!(
                     hash_picture(&picture),
                     expected,
-                    "{line} draws another picture than the table has; where the code or the list \
-                     has changed, `cargo xtask` makes the table anew"
+                    "{line} doesn't draw the picture that the table has for it; if the code or the \
+                     list has changed, `cargo xtask` regenerates the table"
                 ),
                 Err(refusal) => {
                     assert_ne!(text, place.code, "{line}: {refusal}");
