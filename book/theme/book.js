@@ -46,7 +46,7 @@ const book = /** @type {any} */ ({ root: document.documentElement });
         setTimeout(() => { button.textContent = label; }, 1500);
     };
 
-    // What a reader did is kept by the browser, and nowhere else.
+    // What a reader has done is stored in the browser, and nowhere else.
     book.recall = name => {
         try { return JSON.parse(localStorage.getItem(name)) ?? {}; } catch { return {}; /* private */ }
     };
@@ -139,7 +139,7 @@ const book = /** @type {any} */ ({ root: document.documentElement });
         // Some servers leave out the extension of a file's name.
         /** @param {{ pathname: string }} url */
         const name = url => url.pathname.split("/").pop().replace(/\.html$/, "");
-        // A step has a mark once its picture was right.
+        // A step gets a tick once the reader's picture of it was right.
         book.markRight = () => {
             const right = book.recall("right");
             for (const link of links) {
@@ -296,7 +296,8 @@ const book = /** @type {any} */ ({ root: document.documentElement });
         loadOrSay("theme/search.js");
     })));
 
-    // A preview loads what it needs once somebody is at it. The last press is kept until it is ready.
+    // A preview loads what it needs only once a reader points at it, presses it or focuses it. The
+    // last press is kept until the preview is ready.
     book.presses = new Map();
     for (const root of isWhole ? [] : document.querySelectorAll("figure[data-preview]")) {
         root.tabIndex = 0;

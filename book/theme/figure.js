@@ -3,8 +3,8 @@
 // Interactive figures. Gestures become requests to the module, which is the code of the five crates, and
 // its replies are put in place. Nothing about rays is computed here.
 {
-    // Milliseconds that a picture may take while something moves. A slower one is drawn coarser then, and
-    // whole after a rest.
+    // While something moves, a picture may take FRAME milliseconds. If it takes longer, it is drawn
+    // with fewer columns, and with all of them once nothing has moved for REST milliseconds.
     const FRAME = 60, REST = 150;
 
     book.Refusal = class extends Error {};
@@ -45,14 +45,15 @@
             if (this.probe) this.followPresses();
             this.show(this.reply);
             this.selectObject(this.handles[0]?.object);
-            // What can be dragged says so until the figure has been touched.
+            // The first handle that can be dragged says so until the figure has been touched.
             this.handles.find(({ about }) => about.mark !== "probe")?.element.classList.add("first");
             for (const kind of ["pointerdown", "keydown"]) {
                 this.stage.addEventListener(kind, () => { root.dataset.touched = ""; }, { once: true });
             }
         }
 
-        // The reply of the module. Throws a refusal if there is none.
+        // Sends a request to the module, and returns the reply. Throws a `Refusal` if the reply is
+        // an error.
         /** @param {string} verb @param {(string | number)[]} words */
         request(verb, ...words) {
             const reply = book.ask(this.module, [verb, this.name, ...words].join(" "));
@@ -60,8 +61,8 @@
             return reply;
         }
 
-        // The stage: the drawing or the picture, and above it the handles. What is printed stays until
-        // something moves.
+        // Makes the stage, which holds the drawing or the picture, and the handles on top of it.
+        // The drawing or picture that the builder has printed stays there until something moves.
         makeStage() {
             /** @type {HTMLImageElement} */
             const printed = this.root.querySelector("svg, img");
@@ -84,7 +85,7 @@
             this.frame = 0;
         }
 
-        // What is elsewhere on the page and depends on the values.
+        // Finds the other parts of the page that depend on the values.
         findReadouts() {
             const { name } = this;
             this.panel = /** @type {HTMLDetailsElement} */ (document.querySelector(`[data-panel="${name}"]`));
@@ -130,14 +131,15 @@
             this.draw(verb, words, [1, 2].find(k => this.wholeTime / k ** 2 <= FRAME) ?? 4);
         }
 
-        // Only the last gesture before a frame counts.
+        // Draws in the next frame. If there are several gestures before that, only the last counts.
         /** @param {string} verb @param {number[]} words */
         drawNextFrame(verb, ...words) {
             cancelAnimationFrame(this.frame);
             this.frame = requestAnimationFrame(() => this.drawMoving(verb, ...words));
         }
 
-        // The controls are printed: for each parameter a slider or a switch, and a field for a number.
+        // Finds the controls, which the builder has printed: for each parameter a slider or a
+        // switch, and a field for a number.
         findControls() {
             /** @type {Map<string, Control>} */
             this.parameterControls = new Map();
@@ -173,8 +175,9 @@
                 this.setValue(id, value);
                 this.drawNextFrame("show");
             });
-            // A field of text takes 58,72 and 1/2 as well. When the reader leaves it, the nearest allowed number
-            // replaces what was typed. Arrow keys step as in a field of numbers.
+            // Unlike a number field, a text field also accepts 58,72 and 1/2. When the reader
+            // leaves it, the nearest allowed number replaces what was typed. The arrow keys step as
+            // in a number field.
             if (input.type !== "number") return;
             input.type = "text";
             input.addEventListener("change", () => { input.value = String(this.values[id]); });
@@ -188,7 +191,7 @@
             });
         }
 
-        // In an editable scene, the controls of one object are visible: of the one that was touched last.
+        // In an editable scene, shows the controls of this object, and hides those of all others.
         /** @param {string | undefined} object */
         selectObject(object) {
             if (!object) return;
@@ -205,7 +208,8 @@
                 element.hidden = !visible[id] || object !== this.objectSelect?.value;
                 for (const input of inputs) {
                     if (input.type === "checkbox") input.checked = values[id] === 1;
-                    // What is being typed stays as it is, but the page says what it shows instead.
+                    // Leave a number alone while it is being typed. If the figure can't show it,
+                    // say what it shows instead.
                     else if (input.type === "range" || input !== document.activeElement) input.value = String(values[id]);
                     else if (Math.abs(book.readNumber(input.value) - values[id]) > 1e-9) book.write(this.fault, `The figure shows ${texts[id]} instead.`);
                     if (input.type === "range") input.setAttribute("aria-valuetext", texts[id]);
@@ -215,8 +219,9 @@
             this.afterControls?.();
         }
 
-        // Puts the reply to a request in place. A picture has all its columns or, while something moves, a
-        // half or a quarter. If there is nothing to show, the last one stays, and the page says so.
+        // Sends a request, and shows the reply. A picture has all its columns or, while something
+        // moves, perhaps only a half or a quarter of them. If there is nothing to show, the last
+        // figure stays, and the page says so.
         /** @param {string} verb @param {number[]} words @param {number} divisor */
         draw(verb = "show", words = [], divisor = 1) {
             const { columns } = this.about;
@@ -233,7 +238,7 @@
                 this.values = this.reply.values;
                 this.showControls();
                 if (!(error instanceof book.Refusal)) throw error;
-                // A handle at its limit just stays there.
+                // Only a typed number needs an explanation. A handle at its limit just stays there.
                 if (document.activeElement?.matches("input[type=text]")) this.fault.textContent = "There is nothing to show at that number.";
             }
         }
@@ -269,7 +274,8 @@
             book.writeHTML(() => { this.companion.querySelector("g").innerHTML = drawing; });
         }
 
-        // A readout that there isn't at these values is left empty, and what speaks of it is hidden.
+        // Fills in the readouts. One that doesn't exist at these values is left empty, and the text
+        // about it is hidden.
         /** @param {FigureReply} reply */
         showReadouts({ readouts, program }) {
             /** @type {(key: string) => string} */
@@ -302,7 +308,8 @@
             if (isOther) this.followPixel();
         }
 
-        // What leads to the chosen pixel: from a preview to the panel on the same page, and from elsewhere to here.
+        // Makes what leads to the chosen pixel: in a preview, a link to the panel on the same page;
+        // in other pictures, a button that copies a link to the pixel.
         makeLinks() {
             if (!this.panel) return [];
             if (this.isPreview) return [book.make("a", { href: `#pixel=${this.pixel}` }, "The whole sum")];
@@ -314,14 +321,14 @@
             return [this.copyLink];
         }
 
-        // The panel opens, and the address follows the pixel once it is at rest.
+        // Opens the panel, and writes the pixel into the address once the probe is at rest.
         followPixel() {
             if (!this.isPreview) this.openPanel(true);
             clearTimeout(this.addressTimer);
             this.addressTimer = setTimeout(() => writeHash(`#pixel=${this.pixel}`), REST);
         }
 
-        // The pixel at the beginning is one that nobody chose.
+        // Goes back to the default pixel, which counts as one that nobody has chosen.
         forgetPixel() {
             const { horizontal, vertical } = this.probe.about;
             this.pixel = `${this.defaults[horizontal]},${this.defaults[vertical]}`;
@@ -336,7 +343,7 @@
             this.panel.classList.toggle("tool", isOpen);
         }
 
-        // The probe goes where the picture is pressed.
+        // Makes the probe go where the picture is pressed.
         followPresses() {
             /** @type {HTMLButtonElement | null} */
             this.copyLink = null;
@@ -363,12 +370,13 @@
         }
     }
 
-    // The figures that are interactive by now, by their elements.
+    // The figures that are interactive by now, keyed by their elements.
     /** @type {Map<Element, Figure>} */
     const figures = new Map();
 
-    // A figure becomes interactive when it comes near the view, and a preview when somebody is at it: only then
-    // is the module loaded. If that fails, the page says why, and it is tried again while the figure is near.
+    // A figure becomes interactive when it comes near the view, and a preview when a reader points
+    // at it. Only then is the module loaded. If that fails, the page says why, and tries again
+    // while the figure is near the view.
     /** @param {HTMLElement} root */
     book.activateFigure = async root => {
         const controls = root.querySelector(".controls");
@@ -390,7 +398,7 @@
     };
     book.whenNear(document.querySelectorAll("figure:is([data-live], .woken)"), book.activateFigure);
 
-    // What woke a preview is done now: a press, or the focus.
+    // Repeats what woke a preview, a press or the focus, now that the preview can react to it.
     /** @param {Figure} figure */
     function beginPreview({ root, output, handles }) {
         if (root === document.activeElement) handles[0].element.focus({ preventScroll: true });
@@ -427,7 +435,8 @@
         movePixelOfAddress();
     }
     addEventListener("hashchange", openPixelOfAddress);
-    // The same link once more, which leaves the address as it is.
+    // A click on the link to the pixel that is already in the address doesn't change the address,
+    // so there is no hashchange.
     addEventListener("click", event => {
         const target = /** @type {Element} */ (event.target);
         if (target.closest("a")?.hash === location.hash) openPixelOfAddress();

@@ -16,7 +16,7 @@
             this.figure = figure;
             this.about = about;
             this.index = index;
-            // In an editable scene, it has the name of what it moves.
+            // In an editable scene, a handle has the name of the object that it moves.
             this.object = figure.about.colours ? about.words : undefined;
             /** @type {[number, number] | null} */
             this.position = null;
@@ -70,12 +70,14 @@
             const isReversed = direction === "vertical" && axis === "down";
             const steps = (event.shiftKey ? 10 : 1) * sign * (isReversed ? -1 : 1);
             this.figure.setValue(id, this.figure.values[id] + steps * step);
-            // Keys may repeat faster than frames are drawn, and no press may be lost. Moving a
-            // probe doesn't change the picture, so only the numbers are asked for.
+            // Don't wait for the next frame: keys may repeat faster than frames are drawn, and no
+            // press may be lost. Moving a probe doesn't change the picture, so only the numbers are
+            // asked for.
             this.figure.drawMoving(this === this.figure.probe ? "read" : "show");
         }
 
-        // Moves it to the end of its range, or as far that way as there is something to show.
+        // Moves the handle to an end of its range or, if there is nothing to show there, as close
+        // to that end as possible.
         /** @param {"min" | "max"} end */
         moveToEnd(end) {
             const { figure, about: { horizontal } } = this;
@@ -93,7 +95,8 @@
             const { figure, element, about } = this;
             const { values, reply: { positions, texts }, size } = figure;
             this.position = positions[this.index];
-            // Its value is rounded to a step, so a handle at the border may be a little outside.
+            // A handle's value is rounded to a step, so at the border, the handle may be a little
+            // outside.
             const isInside = this.position?.every((x, k) => -4 <= x && x <= size[k] + 4) ?? false;
             const isLost = !isInside && element === document.activeElement;
             element.hidden = !isInside;

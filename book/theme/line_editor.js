@@ -1,18 +1,20 @@
 "use strict";
 
-// Lines of the listings that the reader edits. Pressing one, or a key on it, selects it, and a panel below
-// the listing shows what it draws: the module `expressions` is the five steps with the reader's text in
-// those places. One line at a time is selected; the others keep their text.
+// Lines of the listings that the reader edits. Pressing one, or a key on it, selects it, and a
+// panel below the listing shows what it draws: the module `expressions` contains the five steps,
+// and puts the reader's text in those places. One line at a time is selected; the others keep their
+// text.
 {
     const SMALL = 320, LARGE = 640; // Columns while the reader types, and at rest.
     const REST = 300; // Milliseconds after the last key.
 
-    // A line, by its name. Colours make new elements of the lines, unless they are edited.
+    // Finds a line by its name. Don't keep the element, because colouring a listing replaces its
+    // lines with new elements, unless one of them is being edited.
     /** @type {(name: string) => EditedLine} */
     const find = name => document.querySelector(`[data-line="${name}"]`);
     /** @type {EditedLine | null} */
     let selected = null;
-    // What was written, state by state: the texts of the edited lines by name.
+    // The states for Undo and Redo. Each has the texts of the edited lines, keyed by name.
     /** @type {UndoHistory<Record<string, string>>} */
     const states = new book.History({});
     let restTimer = 0;
@@ -39,7 +41,7 @@
         book.make("div", {}, undo, redo, reset, close, copyLine, copyLink)));
     const tool = book.make("div", { "class": "tool" }, panel);
 
-    // This many letters of an element, from the one at `from` on.
+    // Makes a range of `length` letters in an element, starting with the one at `from`.
     /** @param {Element} element @param {number} from @param {number} length */
     function makeRange(element, from, length) {
         const range = document.createRange();
@@ -97,12 +99,13 @@
         code.addEventListener("input", drawSoon);
     }
 
-    // The text of a line. While one types, browsers write no-break spaces.
+    // The text of a line. Browsers insert no-break spaces for some of the spaces that are typed.
     /** @param {EditedLine} line */
     const readText = line => line.textContent.replace(/\u00a0/g, " ");
     /** @param {EditedLine} line */
     const isBook = line => readText(line) === line.dataset.book;
-    // A line that is edited, or selected, keeps the book's text as well.
+    // Finds the lines whose text isn't the book's. A line that is edited or selected has the book's
+    // text in `data-book`.
     const findEdited = () => {
         /** @type {EditedLine[]} */
         const lines = [...document.querySelectorAll("[data-book]")];
@@ -125,8 +128,9 @@
         if (line !== selected) delete line.dataset.book;
     }
 
-    // Opens or closes the panel, and leaves an element where it is in the window: notes above it may go into the
-    // margin meanwhile, or come back.
+    // Opens or closes the panel by calling `act`, and then scrolls so that an element stays where
+    // it was in the window. Without that it might jump, since notes above it may move into the
+    // margin, or out of it.
     /** @param {Element} element @param {() => void} act */
     function keepPlace(element, act) {
         const { top } = element.getBoundingClientRect();
@@ -166,7 +170,7 @@
         if (!code.matches(".hljs")) book.colour(code);
     }
 
-    // Keeps what is written, for Undo and in the address.
+    // Records the edited lines, for Undo and in the address.
     function record() {
         const edits = Object.fromEntries(findEdited().map(line => [line.dataset.line, readText(line)]).sort());
         states.record(edits);
@@ -205,11 +209,13 @@
         restTimer = setTimeout(draw, REST, LARGE);
     }
 
-    // Whether a text has letters that nobody sees, and that no Rust has.
+    // Whether a text contains control characters, which are invisible and have no place in Rust
+    // code.
     /** @param {string} text */
     const hasControl = text => /[^\P{Cc}\n\t]/u.test(text);
 
-    // Draws what is written. The page says something about it only at rest.
+    // Draws the edited lines. What the module says about them is shown, and the address is changed,
+    // only for the large picture, which is drawn at rest.
     /** @param {number} columns */
     async function draw(columns) {
         const line = selected;
@@ -253,7 +259,8 @@
         if (isInView) keepInView();
     }
 
-    // Says a sentence. A list after it is folded if there is little room.
+    // Shows a message. If it has a second line, that is a list of names, which is folded if there
+    // is little room.
     /** @param {string} text */
     function say(text) {
         const [sentence, list] = text.split("\n");
@@ -266,7 +273,8 @@
         status.append(" ", names);
     }
 
-    // The line and the panel stay in view, and the panel doesn't cover the line if it's below.
+    // Keeps the line and the panel in view. If the panel is below the listing, it doesn't cover the
+    // line.
     function keepInView() {
         if (!selected) return;
         const isBeside = panel.getBoundingClientRect().left >= selected.closest("pre").getBoundingClientRect().right;
@@ -284,8 +292,8 @@
         if (line) window.CSS.highlights?.set("wrong", new Highlight(makeRange(line, from, Math.max(1, to - from))));
     }
 
-    // Opens the edits that are in the address, and selects the first. Before they are written, their
-    // listings get their colours, since what is edited gets none.
+    // Opens the edits that are in the address, and selects the first. Listings are coloured before
+    // the edits are written into them, since a listing with an edited line isn't coloured any more.
     async function openAddress() {
         const words = new URLSearchParams(location.hash.slice(1)).getAll("line");
         const places = document.querySelectorAll("[data-line]").length;
@@ -310,14 +318,15 @@
         });
     }
 
-    // A click elsewhere deselects a line that is as the book has it. This runs before Undo selects a line.
+    // A click elsewhere deselects a line that still has the book's text. This runs before Undo
+    // selects a line.
     addEventListener("click", event => {
         if (selected && isBook(selected) && ![tool, selected.closest("figure")].some(part => event.composedPath().includes(part))) {
             keepPlace(/** @type {Element} */ (event.target), deselect);
         }
     }, { capture: true });
     addEventListener("hashchange", openAddress);
-    // A keyboard on the screen covers the end of the page: the panel stays above it.
+    // An on-screen keyboard covers the bottom of the page, so keep the panel above it.
     window.visualViewport?.addEventListener("resize", () => {
         const { height, offsetTop } = visualViewport;
         panel.style.bottom = `${Math.max(0, innerHeight - height - offsetTop)}px`;
@@ -325,7 +334,7 @@
     });
 
     document.querySelectorAll("[data-places]").forEach(makeEditable);
-    // It says "edit" until a line is taken.
+    // The first line is marked "edit" until the reader selects a line.
     document.querySelector("[data-line]").classList.add("first");
     openAddress();
 }

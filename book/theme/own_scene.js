@@ -2,7 +2,8 @@
 
 // A scene of the reader's own: its tools, its gestures, and its address.
 {
-    // Columns of a picture that is kept. It is drawn with twice as many, for smooth edges.
+    // The columns of a picture that a reader downloads. It is drawn with twice as many and then
+    // scaled down, which smooths its edges.
     const KEPT_COLUMNS = 1920;
 
     /** @typedef {(words: string, act: () => void) => HTMLButtonElement} AddTool */
@@ -35,7 +36,8 @@
         };
     }
 
-    // What was done can be undone. Returns a function that keeps the values of a scene at rest.
+    // Adds Undo and Redo. Returns a function that records the values of the scene, to be called
+    // when it is at rest.
     /** @param {InteractiveFigure} figure @param {AddTool} addTool */
     function addHistory(figure, addTool) {
         const states = new book.History(figure.values);
@@ -66,8 +68,8 @@
         return keepState;
     }
 
-    // The address of the page holds the scene, once a gesture has come to rest. Returns a function that writes
-    // it at once.
+    // Writes the scene into the page's address whenever a gesture has come to rest, and opens the
+    // scene of an address. Returns a function that writes the address at once.
     /** @param {InteractiveFigure} figure @param {() => void} keepState */
     function followAddress(figure, keepState) {
         let restTimer = 0;
@@ -82,7 +84,8 @@
             restTimer = setTimeout(writeAddress, 200);
         };
         const openScene = () => {
-            // If a heading was pressed, the page has gone there, and the address is the scene's again.
+            // A link to a heading has replaced the scene in the address. The page has scrolled to
+            // the heading by now, so the address can hold the scene again.
             if (!location.hash.startsWith("#scene=")) return writeAddress();
             // Some mail programs write a colon as %3A.
             const address = location.hash.slice("#scene=".length).replace(/%3A/gi, ":").replace(/%2C/gi, ",");
@@ -99,7 +102,7 @@
         return writeAddress;
     }
 
-    // The next sphere that isn't there comes into the scene.
+    // Adds a button that puts the next missing sphere into the scene.
     /** @param {InteractiveFigure} figure @param {AddTool} addTool */
     function addSphereButton(figure, addTool) {
         addTool("+ Sphere", () => {
@@ -112,7 +115,7 @@
         });
     }
 
-    // One field sets red, green and blue of the object that was touched last, if it has a colour.
+    // Adds a field that sets the red, green and blue of the chosen object, if it has a colour.
     /** @param {InteractiveFigure} figure @param {HTMLElement} tools */
     function addColourField(figure, tools) {
         const field = book.make("input", { type: "color" });
@@ -148,8 +151,8 @@
         });
     }
 
-    // A ball is dragged where it is pressed. Its depth changes by a pinch on a touchpad, by the wheel with Alt,
-    // or by dragging with Shift.
+    // Lets the reader drag a ball by any point on it. To change a ball's depth, pinch on a
+    // touchpad, turn the wheel with Alt, or drag with Shift.
     /** @param {InteractiveFigure} figure */
     function dragObjects(figure) {
         /** @param {{ clientX: number, clientY: number }} pointer */

@@ -10,7 +10,8 @@
     const MOST_LETTERS = 100, MOST_WORDS = 16, MOST_RESULTS = 30;
     field.maxLength = MOST_LETTERS;
 
-    // Words. A query and the index take the same way: the words of a text, and the terms of a word.
+    // Words. Queries and the text of the book are treated alike: a text is split into words, and
+    // each word has one or more terms by which it is found.
 
     const WORD = /[\p{L}\p{N}_]+/gu;
     /** @type {(text: string) => string[]} */
@@ -23,19 +24,21 @@
         shall should show so some still strange t take takes tell tells than that the their them then there these they thing
         things this to too totally use using very want was wasn we weird were what when where which who whole why will with
         work works would you your`));
-    // Spellings, and names of letters, each with the one that is used here.
+    // Spellings and names of letters, each with the form that the search uses in its place.
     const SPELLINGS = /** @type {[RegExp, string][]} */ ([
         [/color/, "colour"], [/center/, "centre"], [/gray/, "grey"], [/iz(?=e|ing|ation)/, "is"], [/^theta$/, "θ"], [/^alpha$/, "α"],
     ]);
 
-    // A word in lower case, in the spelling that is used here, and without the ending of a plural.
+    // Returns a word in lower case, in the spelling that the search uses, and without the ending of
+    // a plural.
     /** @param {string} word */
     function stem(word) {
         const spelled = SPELLINGS.reduce((text, [from, to]) => text.replace(from, to), word.toLowerCase());
         return spelled.replace(/(?<=x|ss|ch|sh)es$|(?<=..[^isu])s$/, "").replace(/^(len|axi)$/, "$1s");
     }
 
-    // What a root is replaced with that means nearly the same as another.
+    // Maps the root of a word to the root of another word that means nearly the same. The latter
+    // stands for the whole group of synonyms.
     /** @type {Map<string, string>} */
     const synonyms = new Map();
     /** @param {string} text */
@@ -62,7 +65,7 @@
         return [...new Set((subjects.length ? subjects : words).slice(0, MOST_WORDS).map(stem))];
     }
 
-    // A text without regard to case and to what is between its words.
+    // Simplifies a text, so that texts can be compared without regard to case and punctuation.
     /** @param {string} text */
     const simplify = text => findWords(text.toLowerCase()).join(" ");
 
@@ -75,7 +78,8 @@
      */
 
     /**
-     * What MiniSearch found: a section, the terms of it that match, the fields in which each of them stands, and what we add.
+     * A match that MiniSearch has found: a section, the terms that match, and the fields in which
+     * each term occurs. `find` adds the share and whether the match is good enough to be shown.
      * @typedef {{ id: number, score: number, terms: string[], match: Record<string, string[]>, share: number, isFound: boolean }} Result
      */
 
@@ -118,7 +122,8 @@
 
     // The search.
 
-    // Words of a query about a picture of one's own, or about something that is not as it should be.
+    // Words in a query that is probably about the reader's own picture, or about something that is
+    // wrong with it.
     const SYMPTOM = /\b(my|wrong|too|no|not|missing|instead|broken|strange|weird|only|looks?|all|everything|nothing|\w+n['’]t)\b/i;
     // A sentence that says how something is, such as "the sky is green".
     const STATEMENT = /^(?!wh|how|can|do)(\S+ ){1,3}(is|are|has|have|comes?)\b/i;
@@ -148,10 +153,11 @@
         return near?.terms.filter(term => !term.startsWith("~")) ?? [];
     }
 
-    // Finds the sections that have more than half of a query's words, or a name that is half of it. The best come first.
+    // Finds the sections that have more than half of a query's words, or a name that makes up at
+    // least half of the query. The best come first.
     /** @param {string} query */
     function find(query) {
-        // Writers join words by a hyphen, or without one.
+        // A reader may write with a hyphen what is a single word in the book.
         const joined = query.replace(/(\p{L}+)-(\p{L}+)/gu, (pair, left, right) => vocabulary.has(stem(left + right)) ? left + right : pair);
         const words = findSubjects(joined).map(findKnownTerms);
         const families = words.map(([term]) => term?.startsWith("~") ? term : findFamily(term ?? ""));
@@ -161,7 +167,7 @@
         const results = index.search(words.flat().join(" "));
         for (const result of results) {
             const section = sections[result.id];
-            // The share of the query's words that stand in some field.
+            // The share of the query's words that occur in at least one of these fields.
             const share = (/** @type {RegExp} */ fields) => counted.filter(terms =>
                 terms.some(term => result.match[term]?.some(field => fields.test(field)))).length / counted.length;
             const whole = section.names.filter(name => name.families.every(family => families.includes(family)));
