@@ -14,7 +14,7 @@ for (const [name, asked] of forms.filter(([, , k]) => k === 0)) {
       await input.setInputFiles({ name: `${right}.png`, mimeType: 'image/png', buffer: picture(given) });
       await expect(output).toHaveText(words, { timeout: 20_000 });
     }
-    // The step has a mark in the contents, now and later.
+    // The step has a tick in the contents, now and after the page is opened again.
     const tick = page.locator(`#contents a[href="${right}.html"] .tick`);
     for (const look of [() => {}, () => open(page, home + name)]) {
       await look();

@@ -12,7 +12,8 @@ test('a handle goes to its ends, and says nothing there', async ({ page, home })
   await handle.focus();
   const position = () => handle.evaluate(one => Number(one.getAttribute('aria-valuenow')));
   const [first, refused] = [await position(), figure.locator('.refused')];
-  // To the right, the tip of V comes to the border before the start comes to the end of its range.
+  // On the way to the right, the tip of V reaches the border before the start reaches the end of
+  // its range.
   for (const [key, is] of [['Home', x => x === -2], ['End', x => first < x && x < 7]]) {
     await page.keyboard.press(key);
     expect(is(await position()), `${key} goes to ${await position()}`).toBe(true);

@@ -1,5 +1,5 @@
-// When a reader edits a line in a listing, its picture is drawn, and the book's line can be
-// restored.
+// When a reader edits a line in a listing, the resulting picture is drawn, and the book's line can
+// be restored.
 import { expect, open, readPixels, test } from './fixtures.js';
 
 const STEP = 'step04_diffuse';
@@ -10,7 +10,8 @@ const NORMAL = '(p - sphere.centre) / sphere.radius';
 async function prepare(page, home, hash = '') {
   await open(page, `${home}${STEP}.html${hash}`);
   const line = page.locator('[data-line=normal]');
-  await line.evaluate(one => one.scrollIntoView({ block: 'center' })); // Colours may make a new element of it meanwhile.
+  // Playwright's own scrolling would wait for the element, which colouring may replace meanwhile.
+  await line.evaluate(one => one.scrollIntoView({ block: 'center' }));
   const listing = page.locator('.with-margin', { has: line });
   await listing.locator('code.hljs').or(listing.locator('canvas')).first().waitFor();
   return { line, listing, status: listing.getByRole('status') };
@@ -70,7 +71,7 @@ test('lines of an address, and lines that are let go, stay in the picture, the a
   const status = page.getByRole('status').filter({ visible: true }).last();
   await expect(status).toHaveText('In another line of yours: The bracket that closes this one is missing.');
   await expect(line).toBeInViewport();
-  // What is around the lines has its colours.
+  // The code around the lines is coloured.
   const code = page.locator('code', { has: line });
   expect(await code.locator('span[class^=hljs]').count()).toBeGreaterThan(10);
   await other.click();
@@ -115,7 +116,7 @@ for (const [width, height] of [[1440, 900], [1280, 720], [1000, 720], [390, 844]
     if (width < 1100) return expect(await place() + 20).toBeLessThan(box.y);
     expect(box.x).toBeGreaterThan(code.x + code.width);
     expect(box.y + box.height).toBeLessThanOrEqual(height);
-    // No note is covered by it.
+    // The panel covers no note.
     for (const note of await page.locator('main .note').all()) {
       const { x, y, width, height } = await note.boundingBox() ?? box;
       const isBeside = x + width <= box.x || y + height <= box.y || box.y + box.height <= y;
@@ -129,7 +130,7 @@ test('a line stays in its place when the panel comes from a listing above', asyn
   const other = page.locator('[data-line=attenuation]');
   await line.click();
   await other.evaluate(one => one.scrollIntoView({ block: 'center' }));
-  await page.waitForTimeout(500); // What comes near is laid out.
+  await page.waitForTimeout(500); // Parts that have come near the view are laid out.
   const place = async () => (await other.boundingBox()).y;
   const before = await place();
   await other.click();

@@ -55,12 +55,13 @@ function findFaults({ page, edge, blocks, frames, narrow, height }) {
 }
 
 for (const width of SIDE_BY_SIDE) {
-  // One width is enough each time.
+  // Without THOROUGH=1, one of the widths is enough.
   test(`notes stand beside their blocks at ${width} pixels, and none covers another${width === 1440 ? '' : ' @thorough'}`, async ({ page, home }) => {
     test.setTimeout(180_000);
     await page.setViewportSize({ width, height: 900 });
     let count = 0;
-    // The controls of one's own scene are always there, in the margin.
+    // The page "A scene of your own" always has its controls in the margin, where the notes would
+    // be.
     const isTried = name => name !== 'own_scene.html' && (process.env.THOROUGH || /^step|^way/.test(name));
     for (const name of chapters.filter(isTried)) {
       await openWhole(page, home + name);

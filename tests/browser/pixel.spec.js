@@ -1,4 +1,5 @@
-// A pixel that is chosen has its line, its panel and its address.
+// Choosing a pixel shows a line about it below the picture, opens its panel, and changes the
+// address.
 import { expect, open, test } from './fixtures.js';
 
 test('a link that names a pixel selects it, and Back returns to the link', async ({ page, home }) => {

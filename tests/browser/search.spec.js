@@ -3,13 +3,13 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { expect, open, test } from './fixtures.js';
 
-// [what a reader types, the right places]. A place is an address; `hint`, if the search should say what to do about
-// a message of the compiler; or `nothing`, if the book has nothing about it.
+// [what a reader types, the right places]. A place is an address; `hint`, if the search should say
+// what to do about a message from the compiler; or `nothing`, if the book has nothing about it.
 const queries = readFileSync(join(import.meta.dirname, 'search_queries.txt'), 'utf8').trim().split('\n')
   .map(line => line.split(' → ')).map(([query, places]) => [query, places.split(' or ')]);
 
-// Opens the search by its key, which works once its script has run, and types a query. Returns the first result.
-// Without a query, the one before stays.
+// Opens the search by its key, which works once its script has run, and types a query. If the query
+// is null, the previous one stays in the field. Returns the first result.
 async function search(page, query) {
   const field = page.locator('#search-field');
   await expect(async () => {
@@ -25,7 +25,7 @@ test('first results are right for 19 of 20 queries', async ({ page, home }) => {
   await open(page, `${home}introduction.html`);
   await search(page, 'ray');
   const wrong = [];
-  // A third of the queries is enough each time.
+  // Without THOROUGH=1, a third of the queries is enough.
   const tried = queries.filter((_, k) => process.env.THOROUGH || k % 3 === 0);
   for (const [query, places] of tried) {
     await page.locator('#search-field').fill(query);
@@ -80,7 +80,7 @@ test('keys open the search, a click outside closes it, and the query stays after
   await expect(page.locator('#search-field')).toHaveValue('lambert');
   await page.keyboard.press('Enter');
   await page.waitForURL('**/step04_diffuse.html#*');
-  // Firefox may restore a page without a sign to the test, so the page is loaded again.
+  // After Back, the test can't tell when Firefox has restored a page, so the page is loaded again.
   await open(page, `${home}introduction.html`);
   await search(page, null);
   await expect(page.locator('#search-field')).toHaveValue('lambert');

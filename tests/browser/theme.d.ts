@@ -1,5 +1,5 @@
-// The types of the scripts in book/theme: what they share, and what the modules reply. `npm run types` checks
-// the scripts against them.
+// The types for the scripts in book/theme: what the scripts share, and what the modules reply. The
+// command `npm run types` checks the scripts against them.
 
 /** What the pages' scripts share, under the only name that they have in common. */
 interface Book {
@@ -26,17 +26,20 @@ interface Book {
    * copied.
    */
   copyBy(button: HTMLButtonElement, text: string, words?: string): Promise<void>;
-  /** What the browser keeps under this name, by key; nothing if it keeps nothing. */
+  /** Returns the values that the browser stores under this name, by key, or an empty object. */
   recall(name: string): Record<string, any>;
-  /** Lets the browser keep a value under a name and a key, if the reader allows that. */
+  /** Stores a value in the browser under a name and a key, if the reader's settings allow that. */
   keep(name: string, key: string, value: string | boolean): void;
-  /** Marks in the contents the steps whose picture was right. */
+  /** Ticks the steps in the contents for which the reader's picture was right. */
   markRight(): void;
   /**
    * Parses a number as people type it: 58.72, 58,72, 1/2, −3 or 60°. Returns NaN if it isn't one.
    */
   readNumber(text: string): number;
-  /** How many states a key leads on, or back if negative: Ctrl+Z, Ctrl+Shift+Z or Ctrl+Y. 0 for any other key. */
+  /**
+   * Returns by how many states a key moves in the history: −1 for Ctrl+Z, 1 for Ctrl+Shift+Z or
+   * Ctrl+Y, and 0 for any other key.
+   */
   readUndoKey(event: KeyboardEvent): number;
   /** Calls `near` once for each element, when that element comes near the view. */
   whenNear(elements: Iterable<HTMLElement> & { forEach(act: (element: HTMLElement) => void): void }, near: (element: HTMLElement) => void): void;
@@ -90,7 +93,10 @@ interface Book {
 
   // search-index.js
 
-  /** For each page its name and its title, and the id, title, prose, listings and readers' phrases of each section. */
+  /**
+   * For each page: its name, its title and its sections. For each section: its id, title, prose and
+   * listings, and the phrases by which readers look for it.
+   */
   searchIndex: [string, string, [string, string, string, string, string[]][]][];
   /** The section to read, the compiler's messages, and a sentence that says what to do. */
   searchHints: [string, string[], string][];
@@ -217,7 +223,7 @@ interface InteractiveFigure {
   handles: Handle[];
   probe: Handle | undefined;
   root: HTMLElement;
-  /** Whether it has no controls. */
+  /** Whether it is a preview, which has no controls. */
   isPreview: boolean;
   stage: HTMLElement;
   controls: HTMLElement;

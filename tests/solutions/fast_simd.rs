@@ -34,8 +34,8 @@ fn assert_fast_draws(camera: &Camera, samples: u32, scene: &Scene<Material, Ligh
     }
 }
 
-/// A scene of spheres of all sizes in any position, a few of them duplicated, with up to four
-/// lights.
+/// A scene of spheres of all sizes in any position, with up to four lights. A few of the spheres
+/// occur twice, usually in different materials.
 fn random_scene(random: &mut RandomInputs) -> Scene<Material, Light> {
     let mut scene = named_scene(&random.index(10_000).to_string());
     let objects = scene.objects.clone();
@@ -124,7 +124,8 @@ fn fast_draws_the_bytes_of_render_with_a_light_at_a_visible_point() {
     });
 }
 
-// All rays from such a camera lie in one plane, or even coincide.
+// If the columns of a camera's matrix lie in one plane, so do all of its rays, which may even
+// coincide.
 #[test]
 fn fast_draws_the_bytes_of_render_for_a_picture_without_depth() {
     test_law(15, |random| {

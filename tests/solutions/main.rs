@@ -14,8 +14,8 @@ use glam::DMat3;
 use step01_rays::Camera;
 use support::{camera, locked_pictures};
 
-/// Declares programs as modules. rustfmt doesn't look for modules inside a macro, so it doesn't
-/// format these files with this package's settings.
+/// Declares programs as modules. A macro hides the modules from rustfmt, which would format these
+/// files with this package's settings instead of the steps'.
 macro_rules! programs {
     ($($name:ident: $path:literal,)*) => {
         $(#[allow(dead_code, reason = "its main only runs in its program")] #[path = $path] mod $name;)*

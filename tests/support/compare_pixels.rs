@@ -46,8 +46,8 @@ pub fn compare_pixels(name: &str, picture: &RgbImage, assert: impl FnOnce(Vec<u8
     }
 }
 
-/// Describes how a picture differs from the locked one, or says that there is no locked one, and
-/// saves panels that show the difference. Returns None if the two pictures are equal.
+/// Describes how a picture differs from the locked one, and saves panels that show the difference.
+/// Says so if there is no locked one. Returns None if the two pictures are equal.
 fn describe_and_save_mismatch(name: &str, picture: &RgbImage) -> Option<String> {
     let path = locked_picture_path(name);
     let has_text = path.with_extension("").exists();

@@ -18,8 +18,9 @@ pub fn locked_pictures() -> Vec<LockedPicture> {
     exercises.chain(chapter_pictures()).collect()
 }
 
-/// Lists pictures, and defines `with_chapter_picture_names`, which passes their names to another
-/// macro. Only a macro can declare a test for each picture.
+/// Lists pictures, and defines the macro `with_chapter_picture_names`, which passes their names to
+/// another macro. The names have to be available to macros, because only a macro can declare a test
+/// for each picture.
 macro_rules! chapter_pictures {
     ($dollar:tt $($name:ident: $camera:expr, $draw:expr;)*) => {
         /// The pictures in chapters that belong to no step or exercise, and the cover.
@@ -60,7 +61,7 @@ fn four_tiles_camera() -> Camera {
     crop_camera(camera(), [366.0, 264.0], [40, 30])
 }
 
-/// A camera on the spot where an open gate (no test of n·l) lets highlights through.
+/// A camera on the spot where highlights appear if there is no test of n·l (the gate is open).
 fn gate_detail_camera() -> Camera {
     crop_camera(camera(), [585.0, 150.0], [40, 30])
 }

@@ -6,12 +6,12 @@ use super::built_book::read_folder;
 use super::source_listings::SOURCE_FILES;
 use std::collections::HashSet;
 
-/// Names that aren't in the steps' files, but come from Rust's standard library, insta, OpenGL or a
-/// workflow.
+/// Names that chapters use although they aren't in the steps' files. They come from Rust, insta,
+/// OpenGL or a workflow.
 const FOREIGN_NAMES: [&str; 7] =
     ["break", "f32", "ceil", "INSTA_UPDATE", "unseen", "gluPerspective", "LATE"];
 
-/// Splits a text into words, each with the text before it and the text after it.
+/// Splits a text into words. Each comes with the whole text before it and the whole text after it.
 fn words_with_surroundings(text: &str) -> impl Iterator<Item = (&str, &str, &str)> {
     let is_part = |c: char| c.is_alphanumeric() || c == '_';
     let words = text.split(move |c| !is_part(c)).filter(|word| !word.is_empty());

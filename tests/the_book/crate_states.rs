@@ -1,5 +1,5 @@
-//! Tests that at each heading and each command in their chapters, the crates compile in the *state*
-//! in which a reader has typed them so far.
+//! Tests that a reader who stops at a heading or a command has crates that compile. A crate's
+//! *state* is what the reader has typed of it up to there.
 
 use super::built_book::built_book;
 use super::page_items::{PageItem, TypedFiles, page_items};

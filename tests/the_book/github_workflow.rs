@@ -55,8 +55,8 @@ fn run(folder: &Path, command: &str, variables: &[(&str, &str)]) -> Result<Strin
         shell.env("CARGO_TARGET_DIR", target_folder());
         shell.env_remove("CARGO_BUILD_BUILD_DIR").env_remove("CARGO_INCREMENTAL");
     } else {
-        // No other folder uses this level, so Cargo won't reuse a crate that was built for a
-        // different one.
+        // No other folder uses this optimisation level, so Cargo won't reuse a crate that was built
+        // for a different folder.
         shell.env("CARGO_PROFILE_DEV_OPT_LEVEL", "2");
     }
     let Output { status, stdout, stderr } = shell.output()?;
@@ -105,7 +105,7 @@ fn run_workflow(folder: &Path, required: &str) -> Result<String> {
     let mut steps = String::new();
     for command in job_commands("draw") {
         text +=
-            &run(&draw, &command.lines, &[("STEPS", &steps)]).expect("the job to draw is green");
+            &run(&draw, &command.lines, &[("STEPS", &steps)]).expect("the job \"draw\" succeeds");
         let output = fs::read_to_string(draw.join("output.txt")).expect("the output of a job");
         steps = output.trim().strip_prefix("steps=").expect("the steps").to_owned();
     }
@@ -134,7 +134,7 @@ fn test_renamed_folder(folder: &Path) -> Result<()> {
     let renamed = folder.with_file_name("renamed");
     fs::rename(folder, &renamed)?;
     run(&renamed, "cargo test -p locked", &[])?;
-    ensure!(!folder.exists(), "the lock makes the old folder anew");
+    ensure!(!folder.exists(), "testing the renamed folder creates the old one again");
     Ok(fs::rename(renamed, folder)?)
 }
 
@@ -168,10 +168,10 @@ fn workflow_is_green_for_a_picture_that_is_drawn() -> Result<()> {
     assert!(run_workflow(&folder, "")?.contains("Nothing is required"));
     assert!(run_workflow(&folder, "step01_rays, step02_sphere").is_err());
     run(&class.join("jobs/draw/student"), "cargo test -p locked", &[])?;
-    // In all of these attacks but one, no program draws the right picture, but it is there: it's
-    // committed, copied by a Cargo setting, put into a folder with the same name as the one that
-    // the workflow draws in, or left beside code that doesn't compile. In the other one, the
-    // program draws a wrong picture, and overwrites the locked one in the course's folder with it.
+    // In one of these attacks, the program draws a wrong picture, and overwrites the locked one in
+    // the course's folder with it. In the others, no program draws the right picture, but it is
+    // there all the same: committed, copied by a Cargo setting, put into a folder with the same
+    // name as the one that the workflow draws in, or left beside code that doesn't compile.
     fs::copy(locked_picture_path("step01_rays"), folder.join("step01_rays.png"))?;
     fs::copy(locked_picture_path("step02_sphere"), folder.join("wrong.png"))?;
     let attacks = [

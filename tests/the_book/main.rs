@@ -8,15 +8,15 @@ mod built_book;
 mod page_items;
 mod reader_workspace;
 
-// The book is the source.
+// The code that the book shows is the code of the steps.
 mod code_names;
 mod source_listings;
 
-// Nothing is left out.
+// Every exercise and every figure is in the book.
 mod exercises;
 mod shown_figures;
 
-// The book suffices.
+// A reader or a class needs nothing but the book.
 mod crate_states;
 mod github_workflow;
 mod own_scene;

@@ -1,4 +1,4 @@
-//! The items on a page that matter to a reader who types along.
+//! The items on a page that matter to a reader who types along: headings, listings and commands.
 
 use builder::Page;
 use std::collections::BTreeMap;
@@ -28,7 +28,7 @@ pub enum PageItem<'a> {
 
 /// A command on a page, with its output as the page shows it.
 pub struct PageCommand {
-    /// The page, and the last id before the command.
+    /// The page, and the nearest id at or before the command.
     pub location: String,
     /// The command line, for a shell.
     pub line: String,

@@ -19,7 +19,7 @@ pub fn pages_of_step<'a>(book: &'a Site, step: &str) -> impl Iterator<Item = &'a
 /// A workspace with only the files that the book shows.
 pub struct ReaderWorkspace {
     pub folder: PathBuf,
-    /// Makes other tests wait until this one is done with the folder.
+    /// A lock that makes other tests wait until this one is done with the folder.
     _lock: File,
 }
 

@@ -11,9 +11,9 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::PathBuf;
 
-/// What a page asks the reader to change before a command: the end of the command, a file, the text
-/// to replace there, and the new text. The edit is undone when the files are written again before
-/// the next command.
+/// Edits that a page asks the reader to make before a command. Each has the end of the command, a
+/// file, the text to replace there, and the new text. An edit is undone when the files are written
+/// again before the next command.
 const EDITS: [[&str; 4]; 3] = [
     ["$ cargo test -p locked", "steps/step01_rays/src/direction_colour.rs", "0.3 *", "0.31 *"],
     ["rash.png", "steps/step05_phong/examples/mirror.rs", "10, OFFSET", "0, 0.0"],
