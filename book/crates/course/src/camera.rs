@@ -21,8 +21,8 @@ pub fn primary_rays() -> impl Iterator<Item = Ray> {
     pixels.map(move |(i, j)| camera.ray(i.into(), j.into()))
 }
 
-/// The course's camera with this many columns and rows. The field of view is converted to radians
-/// exactly as the programs convert it: π/3 differs in the last digit.
+/// The course's camera with this many columns and rows. It converts 60° with `to_radians`, as the
+/// programs do: the constant `FRAC_PI_3` differs in the last digit, and would give different rays.
 pub fn camera_with_size(columns: u32, rows: u32) -> Camera {
     Camera::new(columns, rows, FOV_DEGREES.to_radians())
 }

@@ -13,11 +13,11 @@ use step01_rays::Camera;
 /// split into in each direction.
 pub type DrawPicture = fn(&Camera, u32) -> RgbImage;
 
-/// Declares each example as a module. rustfmt can't see modules that a macro declares, so it leaves
-/// their files alone.
+/// Declares each example as a module. rustfmt can't see modules that a macro declares. That is just
+/// as well, since the examples are formatted with the steps, whose lines are shorter than ours.
 ///
-/// Tests need the pictures' names as well, to declare a test for each, and only a macro can do
-/// that: hence `with_picture_names`.
+/// Tests need the pictures' names as well, to declare one test function per picture. A constant is
+/// no help there, since only a macro can turn a name into a function: hence `with_picture_names`.
 macro_rules! examples {
     ($dollar:tt
         pictures { $($name:ident: $path:literal => $draw:expr,)* }
@@ -49,8 +49,8 @@ macro_rules! examples {
     };
 }
 
-// The examples and their paths. For a picture, there is also the function that draws its locked
-// version.
+// Each example with its path. If the example draws a picture, the path is followed by the function
+// that draws the locked picture.
 examples! {
     $
     pictures {

@@ -1,17 +1,19 @@
 //! Code and data shared by the book's crates.
 //!
 //! - The five *steps*, the *camera* that takes their pictures, their *examples* as a library, and a
-//!   list of all the pictures that these draw.
-//! - The *mistakes* that readers make, each as a diff, with a *table* of hashes of the resulting
-//!   pictures and the small pictures shown in the book.
+//!   list of every picture that a step or an example draws.
+//! - The *mistakes* that readers make, each as a diff; a *table* with the hashes of the wrong
+//!   pictures that they produce; and the small versions of these pictures that the book shows.
 //! - The *places* in the listings that a reader may edit.
-//! - A *scene* as a program, and the scene generated from a *name*.
+//! - *Scenes*: one that is generated from a person's *name*, one that a reader puts together on a
+//!   page, the table of the numbers in a scene, and a scene formatted as a Rust program.
 //! - The *locked* pictures, the *difference* between two pictures, in a sentence or side by side,
 //!   and a PNG encoder.
-//! - The source of a crate, turned into the source of a *module*.
-//! - Files that are *replaced* atomically.
-//! - The folders of the *workspace*, the pages' modules, a command that runs Cargo, the
-//!   *environment* variables that control the tests, and JSON.
+//! - A function that rewrites the source of a crate as the source of a Rust *module*.
+//! - A function that *replaces* a file atomically.
+//! - The folders of the *workspace*, the names of the pages' WebAssembly modules, a command that
+//!   runs Cargo, the *environment* variables that control the tests, a hash function, and a JSON
+//!   writer.
 
 mod camera;
 mod step;

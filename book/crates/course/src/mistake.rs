@@ -1,13 +1,16 @@
-//! The list of mistakes.
+//! The list of mistakes that readers make. It consists of one text file for each step, in the
+//! folder `mistakes` of this package.
 //!
-//! In the files of the list, blank lines separate blocks, and each block is a mistake. The first
-//! line is its title. Each of the others starts with a mark:
+//! Blank lines separate a file into blocks, and nearly every block describes a mistake. The first
+//! line is its title. Each of the other lines starts with a mark that says what the line contains:
 //!
 //! - `-` the right code,
 //! - `+` the code that is written instead.
 //!
-//! A block that starts with `@` names the file that the mistakes below it are in. Any other block
-//! of one line is a comment. If the book shows a mistake, its block has four more kinds of lines:
+//! There are two other kinds of blocks, both of a single line. A line that starts with `@` names
+//! the source file that the mistakes below it are in, and any other line is a comment.
+//!
+//! If the book shows a mistake, its block has four more kinds of lines:
 //!
 //! - `!` the name of a picture, and the step that draws it unless that is the file's step; there
 //!   may be several of these lines,
@@ -101,8 +104,8 @@ fn parse_mistake(step: Step, file: &str, block: &'static str) -> Option<Mistake>
     Some(Mistake { title, step, file: file.to_owned(), old: text('-'), new: text('+'), shown })
 }
 
-/// Parses `name` or `name step`. If the last word isn't a step, it stays in the name, where a test
-/// finds the space.
+/// Parses `name` or `name step`. If the last word isn't a step, it stays in the name. That is an
+/// error in the list, which a test finds because names contain no spaces.
 fn parse_picture(default_step: Step, words: &'static str) -> MistakePicture {
     let name_and_step = words.rsplit_once(' ');
     let name_and_step = name_and_step.and_then(|(name, step)| Some((name, Step::from_name(step)?)));
@@ -121,16 +124,17 @@ impl Mistake {
         Step::ALL.into_iter().skip(self.step as usize)
     }
 
-    /// Formats the mistake as a diff: the lines of the right code after `- `, then those that are
-    /// written instead after `+ `.
+    /// Formats the mistake as a diff: first the right code, with `- ` in front of each line, then
+    /// the code that is written instead, with `+ ` in front of each line.
     pub fn old_and_new_lines(&self) -> String {
         let old = self.old.lines().map(|line| format!("- {line}"));
         let new = self.new.lines().map(|line| format!("+ {line}"));
         old.chain(new).collect::<Vec<_>>().join("\n")
     }
 
-    /// Applies the mistake to the text of its file, and removes the indentation. If the right code
-    /// doesn't occur exactly once, returns the number of times it does.
+    /// Returns the text of the mistake's file with the mistake in it, and without indentation. If
+    /// the right code doesn't occur exactly once in `file_text`, returns the number of times it
+    /// does.
     pub fn apply_and_unindent(&self, file_text: &str) -> Result<String, usize> {
         let (file_text, old) = (unindent(file_text), unindent(&self.old));
         match file_text.matches(&old).count() {

@@ -40,7 +40,7 @@ impl MistakeTexts {
         texts.join(&SEPARATOR.to_string())
     }
 
-    /// Splits what [`Self::join`] has joined. If texts are missing at the end, they are empty.
+    /// Splits what [`Self::join`] has joined. If there are too few texts, the last ones are empty.
     fn split(joined: &'static str) -> Self {
         let mut texts = joined.split(SEPARATOR).chain(iter::repeat(""));
         let mut next = || texts.next().unwrap_or_default();

@@ -4,10 +4,13 @@
 //!
 //! The table is `table.txt`, which `cargo xtask` writes. All its hashes are hexadecimal.
 //!
-//! - `= NAME HASH` is the hash of a right picture.
-//! - `! NAME` is a small picture of the step whose right picture is above it.
-//! - `KEY HASH HASH …` is the row of a mistake: a hash of what its pictures depend on, then one for
-//!   the picture of its step and of each later one. `-` stands for none.
+//! - `= NAME HASH` is the name of a right picture, and the hash of its pixels.
+//! - `! NAME` is the name of a small picture. It shows what a wrong program draws instead of the
+//!   right picture above it.
+//! - `KEY HASH HASH …` is the row of a mistake. The key is a hash of everything that the mistake's
+//!   pictures depend on. The other hashes are those of the pictures that its own step and each
+//!   later step draw with the mistake. `-` stands for a picture that is right in spite of the
+//!   mistake, or that can't be drawn.
 
 use crate::hash::fnv_1a;
 use crate::mistake_files::mistake_texts;
@@ -36,7 +39,7 @@ pub struct RightPicture<'a> {
     pub name: &'a str,
     /// The hash of its pixels.
     pub hash: u64,
-    /// The names of the small pictures that the book shows of wrong programs of this step.
+    /// The names of the small pictures in the book that wrong versions of this step draw.
     pub small_pictures: Vec<&'a str>,
 }
 
@@ -50,7 +53,7 @@ pub struct TableRow {
     pub hashes: Vec<Option<u64>>,
 }
 
-/// A line of the table that can't be read.
+/// The error if a line of the table can't be read.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[error("line {line} is not `= NAME HASH`, `! NAME` below one, or `KEY HASH …`: {text}")]
 pub struct TableError {
@@ -69,7 +72,7 @@ impl<'a> MistakeTable<'a> {
         Ok(table)
     }
 
-    /// Adds what a line says. Returns None if it can't be read.
+    /// Adds the contents of a line to the table. Returns None if the line can't be read.
     fn add_line(&mut self, line: &'a str) -> Option<()> {
         if let Some(words) = line.strip_prefix("= ") {
             let (name, hash) = words.split_once(' ')?;
@@ -89,7 +92,7 @@ impl<'a> MistakeTable<'a> {
     }
 }
 
-/// Parses a hash of 16 digits. Anything shorter has lost some.
+/// Parses a hash, which always has 16 digits. With fewer, the file is damaged.
 fn parse_hash(digits: &str) -> Option<u64> {
     u64::from_str_radix(digits, 16).ok().filter(|_| digits.len() == 16)
 }
@@ -120,7 +123,7 @@ impl Display for MistakeTable<'_> {
 ///
 /// # Panics
 ///
-/// Panics if a line can't be read. The table is a part of the program.
+/// Panics if a line can't be read. Such a table is a fault of ours, and not of any input.
 pub fn mistake_table() -> &'static MistakeTable<'static> {
     static EMPTY: MistakeTable = MistakeTable { right_pictures: vec![], rows: vec![] };
     static TABLE: OnceLock<MistakeTable> = OnceLock::new();
@@ -131,8 +134,8 @@ pub fn mistake_table() -> &'static MistakeTable<'static> {
     })
 }
 
-/// Pairs each mistake with its row of the checked-in table. Only the order says which mistake a row
-/// belongs to: comparing keys would require the files of the steps. A test in xtask compares them.
+/// Pairs each mistake with its row in the checked-in table. They are matched by order alone,
+/// because computing a key requires the steps' source files. A test in xtask compares the keys.
 ///
 /// # Panics
 ///
@@ -160,8 +163,11 @@ pub fn hash_picture(picture: &RgbImage) -> u64 {
 }
 
 /// Finds the mistakes that produce the picture with this hash. Each comes with the name of the
-/// picture that should have been drawn, and occurs once for each such name. The likeliest come
-/// first: those that the book shows, then those that change the least code.
+/// picture that should have been drawn. A mistake that produces the same picture in several steps
+/// is returned once for each of them.
+///
+/// The likeliest come first: mistakes that the book shows before all others and, within either
+/// group, those that change the least code.
 pub fn find_mistakes_with_hash(hash: u64) -> Vec<(&'static Mistake, &'static str)> {
     let mut mistakes_and_names: Vec<_> = mistakes_with_rows()
         .flat_map(|(mistake, row)| {

@@ -11,15 +11,19 @@ const NAMES: [&str; OBJECTS.len()] =
 /// Generates the scene that belongs to `name`. It is the course's scene or its mirror image, with
 /// sizes, colours, highlights and lights chosen by a hash of the name.
 ///
-/// Each sphere lies inside the course's sphere and rests on the same ground, so no two spheres
-/// touch. Whitespace around the name is ignored, and any amount of it between two words counts as
-/// one blank. Letters should be in Unicode's composed form, NFC.
+/// Each ball may be smaller than its counterpart in the course, but keeps its lowest point. So it
+/// lies inside that counterpart, and no two balls touch each other.
+///
+/// Whitespace around the name is ignored, and any amount of it between two words counts as one
+/// space. The caller should convert the name to NFC, Unicode's composed form: the same letters in a
+/// different form are different bytes, and give a different scene.
 pub fn named_scene(name: &str) -> Scene<Material, Light> {
     let name = name.split_whitespace().collect::<Vec<_>>().join(" ");
     let mut choices = 0;
     let mut choose = |count: usize| {
         choices += 1;
-        // The four zeros are four more rounds, which spread the last letter across all bits.
+        // FNV-1a does one round per byte. Four zeros at the end add four more rounds, which spread
+        // the last letter across all bits.
         let bytes = [choices].into_iter().chain(name.bytes()).chain([0; 4]);
         (fnv_1a(bytes) >> 32) as usize % count
     };

@@ -1,10 +1,14 @@
 //! The expressions in the steps that a reader may edit on a page, as listed in `places.txt`.
 //!
-//! A line `@ FILE uses DVec3` names the file that contains the places below it, and says whether
-//! vectors are imported there. A place starts with a line such as `a: f64 = v.dot(v)`: its name,
-//! the type of its value, and the book's code. Each indented line below it lists the names of one
-//! type that an expression may use there, or is a `note:` on what the surrounding code does with
-//! the value. Lines that start with `#` are comments.
+//! A line `@ FILE` names the file that contains the places below it. If that file imports vectors,
+//! the line is `@ FILE uses DVec3`.
+//!
+//! A place starts with a line such as `a: f64 = v.dot(v)`: its name, the type of its value, and the
+//! book's code. The indented lines below it are of two kinds. Most consist of a type, followed by
+//! the names of this type that an expression may use at the place. The others are a `note:` on what
+//! the surrounding code does with the value.
+//!
+//! Lines that start with `#` are comments.
 //!
 //! The build script of the package `page` compiles this file as well, so it depends on std alone.
 
@@ -77,11 +81,13 @@ pub enum PlaceNote {
     MethodFollows,
     /// The value is the right operand of `&&`, which binds more tightly than `||`.
     AfterAnd,
-    /// The step's picture shows whether a ray hits the ball, but not at which `t`.
+    /// The step's picture shows whether a ray hits the ball, but not at which `t`. A line that only
+    /// changes `t` is seen in the pictures of later steps.
     OnlyMovesHit,
-    /// It is the last in its row, so a comment may follow it.
+    /// The value ends its row of the source file, so the reader may add a comment.
     EndsRow,
-    /// It is the value at the end of a block, and the last in its row. `let` may precede it.
+    /// The value ends both its row and a block, so the reader may add a comment, and put `let`
+    /// statements in front.
     EndsBlock,
 }
 

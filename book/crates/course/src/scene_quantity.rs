@@ -37,7 +37,7 @@ pub enum Owner {
 pub struct Typed {
     /// The first step whose source contains the quantity.
     pub since: Step,
-    /// The smallest and the largest value that someone may have typed, wrong ones included.
+    /// The smallest and the largest value that somebody may have typed, by mistake or not.
     pub range: [i32; 2],
     /// The number of such values per unit.
     pub steps_per_unit: i32,
@@ -47,7 +47,8 @@ pub struct Typed {
 pub struct Scalar {
     /// The symbol, or an empty string.
     pub symbol: &'static str,
-    /// The name in words. Preceded by the owner's name, it is the name in an address.
+    /// The name in words, which is the label of its control. After the owner's name, it is also the
+    /// name of the parameter in the page's address.
     pub words: &'static str,
     /// The unit, such as °, or an empty string.
     pub unit: &'static str,

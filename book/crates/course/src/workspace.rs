@@ -1,4 +1,4 @@
-//! Finds the project's folders, and runs Cargo there.
+//! Finds the project's folders, and prepares what our tools need to run Cargo.
 
 use crate::Step;
 use std::env;
@@ -12,7 +12,8 @@ pub const MODULES: [&str; 3] = ["live", "check", "expressions"];
 /// The root folder of the project, even if it was moved after this program was built.
 ///
 /// We search upwards from the package that Cargo is running, then from the current folder, then
-/// from the program.
+/// from the program. If none of them is inside the project, we return the root folder at the time
+/// of the build.
 pub fn workspace() -> PathBuf {
     let package = env::var_os("CARGO_MANIFEST_DIR").map(PathBuf::from);
     let starts = [package, env::current_dir().ok(), env::current_exe().ok()];
@@ -24,7 +25,8 @@ pub fn workspace() -> PathBuf {
 }
 
 /// The target folder that contains this program, recognised by the tag file that Cargo puts there.
-/// If the program was copied elsewhere, it is the target folder of the workspace.
+/// If the program was copied to a place outside any target folder, returns `target` in the
+/// workspace.
 pub fn target_folder() -> PathBuf {
     let program = env::current_exe().unwrap_or_default();
     let mut around = program.ancestors();
@@ -32,16 +34,19 @@ pub fn target_folder() -> PathBuf {
     target.map_or_else(|| workspace().join("target"), Path::to_owned)
 }
 
-/// A command that runs Cargo: the same one that runs this program, if any. It builds for this
-/// machine, so that programs end up directly in the folder `debug`.
+/// A command that runs Cargo. If Cargo runs this program, it is the same Cargo.
+///
+/// The variable `CARGO_BUILD_TARGET` is removed: if it were set, Cargo would put programs into a
+/// folder named after that target instead of directly into `debug`.
 pub fn cargo_command() -> Command {
     let mut command = Command::new(env::var_os("CARGO").unwrap_or("cargo".into()));
     command.env_remove("CARGO_BUILD_TARGET");
     command
 }
 
-/// The dependencies in the manifest of a program that contains copies of the steps: the steps, and
-/// the libraries that they use. A copy of the course's Cargo.lock decides on the versions.
+/// The `[dependencies]` section for a generated program that contains copies of the steps: the
+/// libraries that these copies use, and the original steps. The versions are `*`, because the
+/// program also gets a copy of the course's Cargo.lock, which pins them.
 pub fn step_dependencies() -> String {
     let mut dependencies = r#"
 [dependencies]
