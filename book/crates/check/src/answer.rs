@@ -161,8 +161,8 @@ impl Answer {
         lines
     }
 
-    /// The sentences that fit in a table: the notes on the file, and the headline unless the
-    /// picture is right.
+    /// A summary for a row of a table: the notes on the file, and the headline unless the picture
+    /// is right.
     pub(crate) fn summary(&self) -> String {
         let headline = (self.verdict != Verdict::Right).then_some(&self.headline);
         let sentences: Vec<_> = self.file_notes.iter().chain(headline).map(|one| &**one).collect();
@@ -198,7 +198,8 @@ impl Display for Answer {
     }
 }
 
-/// Joins the first `most` items of a list, followed by how many more there are.
+/// Joins the first `most` items of a list. If there are more, the text ends in their number, such
+/// as `2 more`.
 pub(crate) fn join_first(mut items: Vec<String>, most: usize, separator: &str) -> String {
     let more = items.len().saturating_sub(most);
     items.truncate(most);

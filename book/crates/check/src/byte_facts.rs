@@ -13,7 +13,7 @@ const CURVE_VALUES: usize = 16;
 /// The maximum number of bytes listed in one sentence.
 const MOST_BYTES: usize = 3;
 
-/// The number of pixels that are tested for a curve before all of them are.
+/// Pixels are tested for a curve in two rounds: first this many, then all of them.
 const FIRST_PIXELS: usize = 500;
 
 /// Returns sentences that are true of the bytes of every wrong pixel.
@@ -80,15 +80,16 @@ fn is_sky_or_objects_alone(comparison: &Comparison, scene: &StepScene) -> bool {
     scene.step > Step::Rays && [0, comparison.wrong.len()].contains(&wrong_sky)
 }
 
-/// Names the files to compare if at least `CURVE_VALUES` values of a byte have changed. Returns an
-/// empty text in steps 1 and 2, since wrong colours for the directions look the same there.
+/// Returns a sentence that names the files to compare. It is empty if fewer than `CURVE_VALUES`
+/// values of a byte have changed. It is also empty in steps 1 and 2, since a wrong
+/// `direction_colour` looks the same there as a wrong conversion to bytes.
 fn curve_file(value_count: usize, scene: &StepScene) -> &'static str {
     let is_known = value_count >= CURVE_VALUES && scene.step > Step::Sphere;
     if is_known { " Compare rgb8.rs and the mean in render.rs of step 1." } else { "" }
 }
 
-/// Describes how your bytes follow from our intensities, if they only rise or only fall with them.
-/// Returns None if they don't, or if only the sky or only the objects differ.
+/// Describes your bytes as a function of our intensities. Returns None unless this function only
+/// rises or only falls. Also returns None if only the sky or only the objects differ.
 pub(crate) fn byte_curve_sentence(comparison: &Comparison, scene: &StepScene) -> Option<String> {
     if is_sky_or_objects_alone(comparison, scene) {
         return None;
@@ -107,7 +108,7 @@ pub(crate) fn byte_curve_sentence(comparison: &Comparison, scene: &StepScene) ->
 }
 
 /// Returns the intensities of these pixels in ascending order, each with your byte and ours.
-/// Returns None if your bytes neither rise nor fall with the intensities.
+/// Returns None unless your bytes are a monotonic function of the intensity.
 fn sorted_curve<'a>(
     pixels: impl Iterator<Item = &'a Pixel>,
     scene: &StepScene,

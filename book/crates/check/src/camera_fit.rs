@@ -1,9 +1,9 @@
 //! Finds cameras other than ours that reproduce the reader's picture.
 //!
-//! First come cameras with a wrong formula that somebody may have written. If none of them fits,
-//! the sky shows which number in D_u, D_v or V_0 may be different. Where nothing is hit, red and
-//! green are 0.7 + 0.3 V_x and 0.7 + 0.3 V_y. Since V = D_u i + D_v j + V_0, each byte of the sky
-//! confines the number to an interval.
+//! We first try cameras with a wrong formula that somebody may have written. If none of them fits,
+//! we change a single number in D_u, D_v or V_0, and find out from the sky what its value may be:
+//! if a ray hits nothing, its red is 0.7 + 0.3 V_x and its green 0.7 + 0.3 V_y. Since
+//! V = D_u i + D_v j + V_0, each byte of the sky confines the number to an interval.
 
 use crate::comparison::{Budget, Comparison, Pixel};
 use crate::number_format::with_minus;
@@ -116,18 +116,20 @@ fn written_cameras() -> Vec<(Camera, String)> {
     cameras
 }
 
-/// Returns values of a number that fit the sky. The sky only gives an interval, and the objects
-/// decide between the values in it. Those with the fewest digits come first. If our own value fits,
-/// returns none, since the number isn't the cause.
+/// Returns candidates for the value of a number, those with the fewest digits first. All of them
+/// fit the sky, which only confines the number to an interval. To decide between them, the caller
+/// has to draw the objects, too. If our own value fits the sky, there are no candidates, since the
+/// number isn't the cause.
 fn values_from_sky(comparison: &Comparison, scene: &StepScene, number: MatrixNumber) -> Vec<f64> {
     let Some(bounds) = bound_by_sky(comparison, scene, number) else { return vec![] };
     let (ours, matrix) = (number.ours(), camera().matrix);
     if bounds.contains(&ours) {
         return vec![];
     }
-    // Each candidate is a start plus a round multiple of a unit. These pairs make it a round
-    // number, a round multiple of ours, or ours moved by a round number of pixels.
-    // From one pixel to the next, x changes by the x of D_u, and y by the y of D_v.
+    // Each candidate is a start plus a round multiple of a unit. We use three pairs of start and
+    // unit. They give a round number, a round multiple of our number, and our number moved by a
+    // round number of pixels: from one pixel to the next, x changes by the x of D_u, and y by the y
+    // of D_v.
     let pixel_steps = [matrix.x_axis.x, matrix.y_axis.y];
     let pixel_step = if number.column == 2 { pixel_steps[number.row] } else { ours };
     let starts_and_units = [(0.0, 1.0), (0.0, ours), (ours, pixel_step)];
@@ -142,8 +144,8 @@ fn values_from_sky(comparison: &Comparison, scene: &StepScene, number: MatrixNum
     values.map(|value| (value * 1e12).round() / 1e12).collect()
 }
 
-/// Returns the interval of values that reproduce the number's channel wherever both pictures show
-/// the sky, or None if no value does.
+/// Returns the interval of values for a number that reproduce every sky pixel, in the channel that
+/// depends on the number. Returns None if there is no such value.
 fn bound_by_sky(
     comparison: &Comparison,
     scene: &StepScene,
@@ -151,8 +153,9 @@ fn bound_by_sky(
 ) -> Option<RangeInclusive<f64>> {
     let matrix = camera().matrix;
     let (mut least, mut most) = (f64::NEG_INFINITY, f64::INFINITY);
-    // We take a pixel for sky if its blue is 255 and the channel that doesn't depend on the number
-    // equals ours. A highlight may look the same, but hardly in the upper third of the picture.
+    // A pixel counts as sky if ours shows the sky there, and yours has a blue of 255 and our byte
+    // in the channel that doesn't depend on the number. A highlight may look the same, but hardly
+    // in the upper third of the picture.
     let rows = if scene.step < Step::Diffuse { 0..PICTURE_ROWS } else { 0..PICTURE_ROWS / 3 };
     let is_sky = |pixel: &&Pixel| {
         let Pixel { yours, ours, hit, .. } = pixel;

@@ -42,7 +42,7 @@ pub(crate) fn find_changed_numbers(
     words
 }
 
-/// Returns the names of all owners of one kind, such as those of all objects.
+/// Returns the names of all owners of a kind, such as the names of all objects.
 pub(crate) fn owner_names(scene: &StepScene, owner: Owner) -> Vec<String> {
     match owner {
         Owner::Object => scene.object_names(),
@@ -51,7 +51,7 @@ pub(crate) fn owner_names(scene: &StepScene, owner: Owner) -> Vec<String> {
     }
 }
 
-/// Returns all numbers that somebody may have typed.
+/// Returns all numbers in the range that somebody may have typed, in ascending order.
 fn typed_numbers(
     Typed { range: [start, end], steps_per_unit, .. }: Typed,
 ) -> impl Iterator<Item = f64> {
@@ -59,7 +59,8 @@ fn typed_numbers(
     numerators.map(move |numerator| f64::from(numerator) / f64::from(steps_per_unit))
 }
 
-/// Formats a quantity of owner `k` as it is typed in Rust: `-2.5`, or `(1, -2.5, 0)`.
+/// Formats a quantity as it is typed in Rust: `-2.5`, or `(1, -2.5, 0)`. `k` is the index of its
+/// owner, such as an object.
 pub(crate) fn format_quantity(quantity: &Quantity, own: &OwnScene, k: usize) -> String {
     let numbers: Vec<_> = quantity.scalars.iter().map(|scalar| scalar.get(own, k)).collect();
     format_as_typed(&numbers)

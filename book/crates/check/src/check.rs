@@ -33,8 +33,8 @@ pub enum CheckError {
 }
 
 /// Compares the picture in a PNG file with the locked picture `expected_name`. If that is None, the
-/// name is taken from the file name or, failing that, from the picture itself, if it equals a
-/// locked picture or the picture of a listed mistake.
+/// name is taken from the file name. Failing that, it is the name of the locked picture that equals
+/// this one, or else of the picture that a listed mistake turns into this one.
 ///
 /// `right_picture` loads the locked picture with a given name. Apart from that, this function reads
 /// nothing: no file, no argument, no clock.

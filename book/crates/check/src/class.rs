@@ -1,6 +1,6 @@
-//! Checks what a class has handed in: a folder with one folder per student, searched with all its
-//! subfolders. Nothing is inferred from the name of a student's folder. Also writes the sheets that
-//! a class gets.
+//! Checks what a class has handed in: a folder that contains one folder per student. All pictures
+//! in a student's folder and its subfolders belong to that student. Nothing is inferred from the
+//! name of the folder. This module also writes the sheets that a class gets.
 
 mod feedback;
 mod folder;
@@ -28,7 +28,7 @@ use std::path::Path;
 
 /// Reports on every picture in the students' folders. If there is a list of `names`, each is the
 /// full name of a folder, and the report says which folders are missing or not in the list. Only
-/// the `required` pictures count, or all pictures if none are required.
+/// the `required` pictures count towards a student's points, or all pictures if none are required.
 pub fn report_on_class(
     folder: &Path,
     names: Option<&[String]>,

@@ -1,4 +1,5 @@
-//! Compares a picture with ours pixel by pixel, and limits how much is computed on these pixels.
+//! Compares a picture with ours pixel by pixel. A budget limits how many rays and pixels the search
+//! for an explanation may take.
 
 use crate::step_scene::ObjectHit;
 use crate::target::Target;
@@ -7,7 +8,7 @@ use image::{Rgb, RgbImage};
 use std::cell::Cell;
 use step01_rays::Ray;
 
-/// The pixels of a reader's picture and of ours, which has the same size.
+/// All pixels of a reader's picture, next to those of our picture, which has the same size.
 pub(crate) struct Comparison<'a> {
     pub target: &'a Target,
     /// The pixels that differ, at least one. Their order is scattered, so that the first ones come
@@ -25,7 +26,8 @@ pub(crate) struct Pixel {
     pub position: (u32, u32),
     /// The ray that our camera sends through the pixel.
     pub ray: Ray,
-    /// The hit that our picture shows there, or None if it shows the sky or has no scene.
+    /// The hit that our picture shows there. It is None if our picture shows the sky, or if we have
+    /// no scene for it.
     pub hit: Option<ObjectHit>,
     pub yours: [u8; 3],
     pub ours: [u8; 3],
@@ -59,7 +61,8 @@ impl<'a> Comparison<'a> {
         Some(Self { target, wrong, right, farthest })
     }
 
-    /// All pixels, wrong ones first, so that a cause that doesn't reproduce them is soon ruled out.
+    /// All pixels, wrong ones first. A proposed cause that doesn't explain the picture usually
+    /// fails at a wrong pixel, so it is soon ruled out.
     pub fn pixels(&self) -> impl Iterator<Item = &Pixel> {
         self.wrong.iter().chain(&self.right)
     }
@@ -96,9 +99,11 @@ impl Budget {
         rest.is_some()
     }
 
-    /// Returns whether `is_so` holds for every item, at `cost` for each. If the budget runs out,
-    /// returns false. The first counterexample moves to the front, so that the next call fails
-    /// fast.
+    /// Returns whether `is_so` holds for every item. Each item costs `cost`, and if the budget runs
+    /// out, the result is false.
+    ///
+    /// The first item for which `is_so` doesn't hold moves to the front. It will probably refute
+    /// the next candidate as well, which then costs only one item.
     pub fn holds_for_all<T>(&self, items: &mut [T], cost: u32, is_so: impl Fn(&T) -> bool) -> bool {
         let refuting = items.iter().position(|item| !self.spend(cost) || !is_so(item));
         if let Some(k) = refuting {

@@ -19,11 +19,11 @@ const MOST_CAUSES: usize = 3;
 /// The maximum number of lines in a diff that an answer shows.
 const MOST_DIFF_LINES: usize = 4;
 
-/// The file that reads the options. A mistake there, such as a wrong default, amounts to other
-/// options.
+/// The file that reads the options. A mistake there, such as a wrong default, has the same effect
+/// as other options, so it doesn't cast doubt on them.
 const OPTIONS_FILE: &str = "steps/step01_rays/src/program.rs";
 
-/// A line for exercises. They have no scene to draw with other options.
+/// A line for exercises. We have no scenes for them, so we can't try out options.
 const EXERCISE_NOTE: &str =
     "Ours is drawn without options: with some, a right program may draw a different picture.";
 
@@ -103,9 +103,10 @@ fn find_changes(comparison: &Comparison) -> Vec<Cause> {
     if budget.is_spent() { vec![] } else { causes }
 }
 
-/// Describes causes: a sentence names the first ones and the files of all, then come lines about
-/// the first one if it is a listed mistake. `options` are those with which a right program draws
-/// the same picture. The sentence mentions them, since they explain it just as well.
+/// Describes the causes. The first line names a few of them, and the files that the others are in.
+/// If a right program draws the same picture with some `options`, the line mentions these as well,
+/// since they explain the picture just as well. If the first cause is a listed mistake, more lines
+/// describe it.
 fn describe_causes(causes: &[Cause], options: Option<&Options>) -> Vec<String> {
     let Some(first) = causes.first() else { return vec![] };
     let is_listed = causes.iter().all(|cause| matches!(cause, Cause::Mistake(_)));
@@ -134,7 +135,7 @@ fn describe_causes(causes: &[Cause], options: Option<&Options>) -> Vec<String> {
     lines
 }
 
-/// Describes a listed mistake in lines: its diff, if that is short, and, if the book shows the
+/// Describes a listed mistake: first its diff, unless that is long, and then, if the book shows the
 /// mistake, why it is wrong and which section to read.
 fn describe_mistake(mistake: &Mistake) -> Vec<String> {
     let diff = mistake.old_and_new_lines();
@@ -150,8 +151,8 @@ fn describe_mistake(mistake: &Mistake) -> Vec<String> {
 }
 
 /// Describes how a picture of the right size differs from the target: the facts, the number of
-/// wrong pixels, the `by_hand` tests to run, and one pixel. The tests are those of all steps that
-/// draw the picture, since any of these steps may be wrong.
+/// wrong pixels, the `by_hand` tests to run, and one pixel. The tests are those of every step that
+/// takes part in drawing the picture, since any of these steps may be wrong.
 fn describe_comparison(comparison: &Comparison, facts: Vec<String>) -> Vec<String> {
     let Comparison { target, wrong, right, farthest } = comparison;
     let count = format!(

@@ -18,14 +18,15 @@ const MOST_FACTS: usize = 3;
 const LEAST_PIXELS: usize = 16;
 const LEAST_COLOURS: usize = 4;
 
-/// Returns sentences that are true of the wrong pixels, strongest first, followed by one about
-/// where these pixels are.
+/// Returns sentences that are true of the wrong pixels, strongest first. The last one says where
+/// these pixels are, unless we have no scene.
 pub(crate) fn find_facts(comparison: &Comparison) -> Vec<String> {
     let scene = comparison.target.scene.as_ref();
     let regions = scene.map(|scene| count_regions(comparison, scene));
     let is_varied = is_varied(&comparison.wrong);
     let varied = scene.filter(|_| is_varied);
-    // Too much light also makes areas white. If a curve fits, it says more about them than a shape.
+    // White areas may also come from too much light. So if a curve fits, we don't go on to look for
+    // undrawn pixels.
     let curve = varied.and_then(|scene| {
         byte_curve_sentence(comparison, scene).or_else(|| byte_map_sentence(comparison, scene))
     });
@@ -61,8 +62,8 @@ fn are_above_1(pixels: &[Pixel], scene: &StepScene) -> bool {
     pixels.iter().all(|one| scene.colour(&one.ray).max_element() > 1.0)
 }
 
-/// Names the light that is missing from every wrong pixel: the fewest terms that our sum must leave
-/// out to give your colours. Returns None if no choice of terms does.
+/// Names the light that is missing from every wrong pixel: the smallest set of terms that we have
+/// to leave out of our sum to get your colours. Returns None if there is no such set.
 fn missing_light_sentence(wrong: &[Pixel], scene: &StepScene) -> Option<String> {
     let names_of = |term| scene.light_names.map(|one| format!("the {term} term of {one}"));
     let ambient = ["the ambient term".to_owned()];

@@ -1,10 +1,11 @@
-//! `check`: compares a reader's picture with the right one and, if they differ, works out why.
+//! `check`: compares a reader's picture with the right one and, if they differ, works out why. In
+//! names, comments and answers, *yours* is the reader's picture, and *ours* is the right one.
 //!
-//! The right one is the *target* (`target`): a locked picture, or the picture of the scene that is
-//! generated from a name. Unless it is an exercise, a target also has a scene and the step whose
-//! functions draw it (`step_scene`). The [`Answer`] consists of a verdict, a headline, details and
-//! causes. It never claims more than is true of every pixel that it mentions. `check` and `explain`
-//! try these explanations in turn:
+//! Ours is a locked picture, or the picture of the scene that is generated from a name. It is part
+//! of a *target* (`target`), which also contains the scene and the step whose functions draw it
+//! (`step_scene`), unless it is the picture of an exercise. The [`Answer`] consists of a verdict, a
+//! headline, details and causes. It never claims more than is true of every pixel that it mentions.
+//! The modules `check` and `explain` try these explanations in turn:
 //!
 //! 1. The picture is **right**; or a right program draws it **with other options**
 //!    (`other_options`), in which case no code is blamed; or it is the right picture of a different
@@ -17,14 +18,16 @@
 //!    sentences that are true of every wrong pixel (`byte_facts`) or of some of them, and which
 //!    objects are right and which are wrong (`regions`).
 //!
-//! The answer ends with the `by_hand` tests of all steps that draw the picture, and with one wrong
-//! pixel in full (`wrong_pixel`).
+//! An answer about a wrong picture of the right size ends with two hints: which steps' `by_hand`
+//! tests to run, and one wrong pixel, with what our program computes there (`wrong_pixel`).
 //!
-//! For a class, each folder inside the given one is a student's (`class`), and each name can have a
-//! sheet with the numbers of its scene (`class::scene_sheet`).
+//! `check` also reports on a whole class, from a folder that contains a folder for each student
+//! (`class`). And for each name in a list, it writes a sheet with the numbers of the scene that is
+//! generated from this name (`class::scene_sheet`).
 //!
-//! A `Budget` limits how much is tried. It counts work instead of time, so the answer is the same
-//! on every machine. There is also a limit on how many bytes are read from a file.
+//! A `Budget` limits how many of these explanations are tried. It counts rays and pixels instead of
+//! seconds, so the answer is the same on every machine. There is also a limit on how many bytes are
+//! read from a file.
 
 mod answer;
 mod byte_facts;

@@ -211,8 +211,8 @@ fn check_file(
     Ok(answer)
 }
 
-/// Saves the picture of the difference in the target folder. Returns a line with its path, or with
-/// the error.
+/// Saves the picture of the difference in the target folder. Returns a line for the answer, which
+/// says where the picture is or why it can't be written.
 fn save_difference(difference: &RgbImage, file: &Path) -> String {
     let folder = course::target_folder().join("check");
     let path = folder.join(file.with_extension("difference.png").file_name().unwrap_or_default());

@@ -25,12 +25,14 @@ const PROBES: usize = 200;
 /// The allowance for rounding errors in a byte of the sky.
 const ROUNDING: f64 = 1e-6;
 
-/// If a pixel shows a single object, its mean colour is this close to the colour at its centre, in
-/// units of a byte. That holds for pictures with at least `COARSE_COLUMNS` columns.
+/// If a pixel shows a single object, its mean colour differs from the colour at its centre by less
+/// than this, in units of a byte. That holds for pictures with at least `COARSE_COLUMNS` columns,
+/// in which a pixel covers only a small part of an object.
 const OBJECT_TOLERANCE: f64 = 64.0;
 const COARSE_COLUMNS: u32 = 64;
 
-/// At most one in this many bytes on the border may belong to an object that is as blue as the sky.
+/// On the border, we take bytes for sky if the pixel is as blue as the sky. At most one in this
+/// many of them may really belong to an object.
 const BYTES_PER_OBJECT_BYTE: i32 = 20;
 
 /// Angles with four decimals are tried only if the bounds on the angle are less than this far
@@ -55,8 +57,8 @@ impl Options {
         tenths == tenths.round()
     }
 
-    /// A sentence to follow one about mistakes: a right program with these options gives the same
-    /// picture.
+    /// A sentence to follow "this mistake gives this picture": a right program with these options
+    /// gives it, too.
     pub fn same_picture_sentence(&self) -> String {
         let (columns, rows) = self.size;
         let mut options = format!("--fov {}", self.fov_degrees);
@@ -80,7 +82,8 @@ impl Options {
         self.is_one_colour
     }
 
-    /// A sentence about a picture that was drawn with these options. It calls ours `title`.
+    /// A sentence about a picture that was drawn with these options. `title` is the phrase for our
+    /// picture, such as `the picture of glass`.
     pub fn headline(&self, title: &str) -> String {
         let ((columns, rows), samples) = (self.size, self.samples);
         let all = columns as usize * rows as usize;
@@ -164,7 +167,7 @@ fn fine_angles(yours: &RgbImage) -> impl Iterator<Item = f64> {
     let upper_sides = (0..rows / 2).flat_map(|j| [(0, j), (columns - 1, j)]);
     for (i, j) in (0..columns).map(|i| (i, 0)).chain(upper_sides) {
         let colour = yours.get_pixel(i, j);
-        // Here tan is that of θ/2. In the sky, V is (x tan, y tan, −1), so blue is 255.
+        // Below, `tan` is tan(θ/2). In the sky, V is (x tan, y tan, −1), so blue is 255.
         let x = 2.0 * f64::from(i) / side - 1.0;
         let y = (f64::from(rows - 1) - 2.0 * f64::from(j)) / side;
         for (factor, byte) in [(x, colour[0]), (y, colour[1])] {
@@ -189,9 +192,9 @@ fn fine_angles(yours: &RgbImage) -> impl Iterator<Item = f64> {
     })
 }
 
-/// Returns the bounds of the numbers that lie in almost as many intervals as any number does. Only
-/// almost, because a few of the pixels that pass for sky may show a highlight. Without intervals,
-/// the bounds are 0 and infinity.
+/// Returns the smallest and the largest number that lie in almost as many of the intervals as any
+/// number can. Without "almost", a highlight that passes for sky would mislead us, since its pixels
+/// give wrong intervals. If there are no intervals, returns 0 and infinity.
 fn find_common_bounds(intervals: &[(f64, f64)]) -> (f64, f64) {
     if intervals.is_empty() {
         return (0.0, f64::INFINITY);
@@ -209,7 +212,8 @@ fn find_common_bounds(intervals: &[(f64, f64)]) -> (f64, f64) {
     let counts: Vec<_> = counts.collect();
     let most = counts.iter().copied().max().unwrap_or(0);
     let is_enough = |count: &i32| *count >= most - most / BYTES_PER_OBJECT_BYTE;
-    // The change after the last count that is large enough is the end of an interval.
+    // The last count that is large enough holds until the change after it, which is the end of an
+    // interval.
     let first = counts.iter().position(is_enough).unwrap_or(0);
     let last = counts.iter().rposition(is_enough).map_or(0, |k| k + 1);
     (changes[first].0, changes[last].0)
@@ -224,9 +228,10 @@ fn border_positions((columns, rows): (u32, u32)) -> impl Iterator<Item = (u32, u
     sides.chain(across.flat_map(move |i| [(i, 0), (i, rows - 1)]))
 }
 
-/// Whether a pixel may be right for some number of samples. The sky is linear, so its mean over a
-/// pixel is its colour at the centre. Within an object, the mean is close to that colour if pixels
-/// are small. At an edge, it may be anything.
+/// Whether a pixel may be right for some number of samples. We compare it with the colour at its
+/// centre alone. The sky is linear, so its mean over a pixel equals that colour. Within an object,
+/// the mean is close to that colour if pixels are small. At an edge, the mean may be anything, so
+/// we accept every colour.
 fn may_be_right(scene: &StepScene, camera: &Camera, yours: &RgbImage, (i, j): (u32, u32)) -> bool {
     let (x, y) = (f64::from(i), f64::from(j));
     let seen_at = |(u, v)| scene.visible_hit(&camera.ray(x + u, y + v)).map(|hit| hit.object);

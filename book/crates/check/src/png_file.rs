@@ -17,8 +17,8 @@ const IN_UTF_16: &str = "text in UTF-16, as > writes it in PowerShell; have the 
                          picture itself";
 const WEB_PAGE: &str = "a web page, not the picture on it; save the picture itself";
 
-/// Formats other than PNG, each with the offset of its signature, the signature, and a clause about
-/// the file. At the end come PNG files whose own signature was damaged by copying.
+/// Formats other than PNG: for each, the offset of its signature in the file, the signature, and a
+/// clause to follow "is". At the end come PNG files whose own signature was damaged by copying.
 const FORMATS: [(usize, &[u8], &str); 26] = [
     (0, b"\xff\xd8\xff", "a JPEG, which has lost details; draw it again as PNG"),
     (8, b"WEBP", "a WebP picture; save it as PNG"),
@@ -62,8 +62,8 @@ const NETPBM: [&str; 7] = [
 /// The possible lengths of the second header in a BMP file, one for each version of the format.
 const BMP_HEADERS: [u8; 7] = [12, 40, 52, 56, 64, 108, 124];
 
-/// The maximum size of a file in bytes. The decoder may allocate as much for itself, for instance
-/// to unpack a chunk.
+/// The maximum size of a file in bytes. It is also the maximum amount of memory that the decoder
+/// may allocate for itself, for instance to unpack a chunk.
 pub(crate) const FILE_BYTES: u64 = 1 << 26;
 
 /// The maximum size of the decoded pixels in bytes: enough for the largest picture with alpha and 8

@@ -13,11 +13,13 @@ pub(crate) struct Region {
     name: String,
     all: usize,
     wrong: usize,
-    /// The number of wrong pixels that have the colour of the sky or of an object behind this one.
+    /// The number of wrong pixels that have the colour of something else on the same ray: the sky,
+    /// or an object behind this one.
     hidden: usize,
 }
 
-/// Counts the pixels of the sky and of each object that is visible in our picture, in this order.
+/// Returns a region for the sky, followed by one for each object, with their pixels counted. What
+/// isn't visible in our picture is left out.
 pub(crate) fn count_regions(comparison: &Comparison, scene: &StepScene) -> Vec<Region> {
     let names = [vec!["the sky".to_owned()], scene.object_names()].concat();
     let regions = names.into_iter().map(|name| Region { name, all: 0, wrong: 0, hidden: 0 });
@@ -36,9 +38,9 @@ pub(crate) fn count_regions(comparison: &Comparison, scene: &StepScene) -> Vec<R
     regions
 }
 
-/// Describes the wrong pixels that show what should be hidden, and names the objects that are
-/// missing from your picture. Returns None if no object is missing and few pixels show what should
-/// be hidden.
+/// Counts the wrong pixels that show what should be hidden behind an object, and names the objects
+/// that are missing from your picture. Returns None if no object is missing and only a few pixels
+/// show what should be hidden.
 pub(crate) fn hidden_sentence(regions: &[Region]) -> Option<String> {
     let hidden: usize = regions.iter().map(|region| region.hidden).sum();
     let wrong: usize = regions.iter().map(|region| region.wrong).sum();

@@ -22,7 +22,7 @@ pub(crate) struct ObjectHit {
 }
 
 impl StepScene {
-    /// The scene of a step, with only the objects that this step has.
+    /// The scene of a step. Step 1 has no objects in it, and step 2 only the sphere.
     pub fn of_step(step: Step) -> Self {
         let mut scene = step05_phong::scene();
         match step {
@@ -59,7 +59,7 @@ impl StepScene {
         hit.map_or_else(|| direction_colour(ray), |hit| self.colour_at_hit(ray, hit))
     }
 
-    /// The bytes of the pixel that a ray belongs to.
+    /// The bytes of a pixel that sees the light along this ray.
     pub fn bytes(&self, ray: &Ray) -> [u8; 3] {
         rgb8(self.colour(ray)).0
     }
@@ -77,7 +77,7 @@ impl StepScene {
         self.object_hits(ray).min_by(|a, b| a.t.total_cmp(&b.t))
     }
 
-    /// The intensity of an object at a hit, even if another object hides it.
+    /// The intensity of an object at a hit, even if another object hides the hit.
     pub fn colour_at_hit(&self, ray: &Ray, hit: ObjectHit) -> DVec3 {
         match self.step < Step::Diffuse {
             true => self.own.scene.objects[hit.object].material.matte.diffuse,
@@ -85,7 +85,8 @@ impl StepScene {
         }
     }
 
-    /// The sum of all lights' terms at a hit, even if another object hides it.
+    /// The ambient term at a hit, and the sums of the other terms over all lights, even if another
+    /// object hides the hit.
     pub fn terms_at_hit(&self, ray: &Ray, hit: ObjectHit) -> Terms {
         let ambient = self.ambient_at_hit(hit);
         let mut terms = Terms { ambient, ..Terms::default() };
@@ -101,8 +102,8 @@ impl StepScene {
         ambient(&scene.objects[hit.object].material.matte, scene.ambient_light)
     }
 
-    /// One light's terms at a hit, even if another object hides it. Before step 5, the specular
-    /// term is zero.
+    /// One light's terms at a hit, even if another object hides the hit. Before step 5, the
+    /// specular term is zero.
     pub fn light_terms_at_hit(&self, ray: &Ray, hit: ObjectHit, light: &Light) -> Terms {
         let object = &self.own.scene.objects[hit.object];
         let p = ray.at(hit.t);

@@ -8,7 +8,7 @@ use step01_rays::render;
 
 /// A right picture to compare with: a locked one, or that of the scene generated from a name.
 pub(crate) struct Target {
-    /// What a sentence calls the picture, such as `the picture of glass`.
+    /// The phrase that stands for the picture in a sentence, such as `the picture of glass`.
     pub title: String,
     /// The name of the locked picture, or None if the scene was generated from a name.
     pub name: Option<String>,
@@ -33,7 +33,7 @@ impl Target {
     }
 }
 
-/// What a sentence calls the scene of a name, such as `the scene of ada`.
+/// Returns the phrase for the scene that is generated from `name`, such as `the scene of ada`.
 pub(crate) fn scene_title(name: &str) -> String {
     format!("the scene of {}", escape_for_terminal(name))
 }

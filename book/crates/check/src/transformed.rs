@@ -1,11 +1,11 @@
-//! Recognises our whole picture if it is turned, cropped or enlarged or has its channels swapped.
-//! Also recognises pictures of a single colour.
+//! Recognises our whole picture even if it is turned, cropped or enlarged, or if its channels are
+//! swapped. Also recognises pictures of a single colour.
 
 use crate::comparison::{Budget, scattered_positions};
 use image::RgbImage;
 
-/// The number of pixels that may be compared to locate a part, and the smallest number of pixels in
-/// a part.
+/// The maximum number of pixels that are compared to locate a part of our picture, and the minimum
+/// number of pixels in such a part.
 const PIXELS: u32 = 1 << 26;
 const LEAST_PIXELS: usize = 100;
 
@@ -30,7 +30,8 @@ const ORDERS: [(&str, [usize; 3]); 4] = [
 ];
 
 /// Describes a picture that is one colour, or that is ours turned, cropped, enlarged or with its
-/// channels swapped. Returns None for any other picture. The sentence calls ours `title`.
+/// channels swapped. Returns None for any other picture. `title` is the phrase for our picture,
+/// such as `the picture of glass`.
 pub(crate) fn describe_whole(picture: &RgbImage, ours: &RgbImage, title: &str) -> Option<String> {
     if let Some([r, g, b]) = uniform_colour(picture) {
         return Some(format!("Your picture is one colour, ({r}, {g}, {b}), in all pixels."));
@@ -51,8 +52,9 @@ pub(crate) fn uniform_colour(picture: &RgbImage) -> Option<[u8; 3]> {
     (bytes[3..] == bytes[..bytes.len() - 3]).then_some(first)
 }
 
-/// Returns a clause such as `upside down` for each turn that makes our picture yours, possibly with
-/// its channels in a different order. Each turn comes with the first order that fits.
+/// Returns a clause such as `upside down` for each turn that makes our picture equal to yours,
+/// possibly with its channels in a different order. If several orders fit, the clause names the
+/// first one.
 fn turned_or_swapped_clauses(yours: &RgbImage, ours: &RgbImage) -> Vec<String> {
     if yours.pixels().len() != ours.pixels().len() {
         return vec![];

@@ -3,7 +3,8 @@
 use crate::comparison::{Comparison, Pixel};
 use std::collections::BTreeSet;
 
-/// Fewer pixels than this don't count as undrawn, nor as a picture inside a border.
+/// The minimum number of pixels that we call undrawn. A border has to leave at least as many pixels
+/// inside it.
 const LEAST_PIXELS: usize = 100;
 
 /// The maximum number of rectangles that a sentence names.
@@ -16,9 +17,9 @@ const BLACK: [u8; 3] = [0; 3];
 const WHITE: [u8; 3] = [255; 3];
 
 /// Describes wrong pixels that are black or white and form a simple shape, as undrawn pixels do.
-/// Black ones may have any shape if no other pixels are wrong and they cover a part of the sky, but
-/// not all of it. The sentence doesn't say why pixels are white, since too much light makes them
-/// white, too.
+/// Black pixels may also have any other shape if no other pixels are wrong and they cover a part of
+/// the sky, but not all of it. For white pixels, the sentence gives no reason, since they may also
+/// come from too much light.
 pub(crate) fn undrawn_sentence(comparison: &Comparison) -> Option<String> {
     black_sentence(comparison).or_else(|| white_sentence(comparison))
 }
@@ -66,11 +67,12 @@ enum ShapeCause {
     Loop,
     /// An editor put a border around a finished picture.
     Editor,
-    /// There is no telling: several pieces may be anything dark if other pixels are wrong, too.
+    /// Unclear: several rectangles may be undrawn, but if other pixels are wrong, too, they may be
+    /// anything dark.
     Unknown,
 }
 
-/// Whether a pixel belongs to a shape.
+/// Whether a pixel belongs to the shape that all wrong pixels of a colour form.
 #[derive(Clone, Copy, PartialEq)]
 enum Membership {
     /// It does: it is wrong and has the colour of the shape.
@@ -138,8 +140,8 @@ impl Mask {
         })
     }
 
-    /// Finds the first shape we know that fits. Returns None if none fits, or if the shape is the
-    /// whole picture.
+    /// Tries all kinds of shapes that we know, and returns the first that fits. Returns None if
+    /// none fits, or if the shape is the whole picture.
     fn find_shape(&self) -> Option<Shape> {
         if !self.memberships.contains(&Membership::Outside) {
             return None;
@@ -155,7 +157,7 @@ impl Mask {
         shapes.iter().find_map(|find| find(self))
     }
 
-    /// Finds bars on two or more sides. On all four, they are a frame.
+    /// Finds bars on two or more sides of the picture. Bars on all four sides are called a frame.
     fn find_border(&self) -> Option<Shape> {
         let kept = self.pixels().filter(|(_, _, membership)| *membership == Membership::Outside);
         let kept: Vec<_> = kept.collect();
@@ -172,8 +174,8 @@ impl Mask {
             ("below", self.rows - 1 - last_row),
         ];
         let bars: Vec<_> = sides.into_iter().filter(|(_, width)| *width > 0).collect();
-        // A single bar is a rectangle, as left by a loop that ends too soon. And a border must
-        // surround something.
+        // A single bar isn't a border: it is the rectangle that a loop leaves undrawn if it ends
+        // too soon. And a border must surround something.
         if bars.len() < 2 || kept.len() < LEAST_PIXELS || !self.is_shape(is_border) {
             return None;
         }
@@ -271,8 +273,9 @@ impl Mask {
         falling.or_else(|| Some(describe("rising to the right", self.find_period(|i, j| i + j)?)))
     }
 
-    /// Numbers the pixels with `number`, and finds the smallest period for which the shape is made
-    /// up of all pixels with certain remainders. Returns the period and these remainders.
+    /// Looks for a shape that repeats. Each pixel has a number, and the shape must consist of all
+    /// pixels whose number, divided by a period, leaves certain remainders. Returns the smallest
+    /// such period, and these remainders.
     fn find_period(&self, number: impl Fn(u32, u32) -> u32) -> Option<(u32, BTreeSet<u32>)> {
         let inside: Vec<_> = self.inside_positions().map(|(i, j)| number(i, j)).collect();
         (2..=LARGEST_PERIOD).find_map(|period| {
@@ -282,8 +285,8 @@ impl Mask {
         })
     }
 
-    /// Formats lines as `row 3`, `rows 3 to 9` or `every 2nd row from 1 to 359`. Returns None if
-    /// there are no lines, or if they are all lines of the picture.
+    /// Formats rows or columns as `row 3`, `rows 3 to 9` or `every 2nd row from 1 to 359`. Returns
+    /// None if there are none, or if they are all that the picture has.
     fn format_lines(&self, word: &str, lines: &BTreeSet<u32>) -> Option<String> {
         let all = if word == "row" { self.rows } else { self.columns };
         let (first, last) = (lines.first()?, lines.last()?);

@@ -14,8 +14,8 @@ pub(crate) fn describe_wrong_pixel(Comparison { target, farthest, .. }: &Compari
     format!("Column {i}, row {j}: yours is {a}, ours {b}{}.", computed.unwrap_or_default())
 }
 
-/// Formats the values that our program computes for one ray, in the book's notation and after a
-/// colon.
+/// Formats the values that our program computes for one ray, in the book's notation. The text
+/// begins with a colon, to follow the two colours.
 fn computed_values(scene: &StepScene, ray: &Ray, hit: Option<ObjectHit>) -> String {
     let Some(hit) = hit else {
         return format!(": the sky, V = {}", format_vector_four_decimals(ray.direction));

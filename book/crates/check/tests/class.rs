@@ -205,7 +205,7 @@ fn sheets_are_as_locked() {
     ];
     assert_locked("writing_sheets", runs.map(|arguments| run_check(&folder, arguments)));
     assert_locked("sheets", read_folder(&folder.join("sheets")));
-    // These error messages differ between systems.
+    // The system's error message differs between machines, so these answers aren't in a snapshot.
     for arguments in [["long.txt", "new"], ["names.txt", "full/other.txt/new"]] {
         let [names, out] = arguments;
         let (_, text) = run_check(&folder, &["--names", names, "--out", out]);

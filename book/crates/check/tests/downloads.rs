@@ -13,8 +13,8 @@ fn shell_lines(words: &str) -> String {
     let page = workspace().join("book/src/teaching.md");
     let page = fs::read_to_string(page).expect("the page for teachers").replace('\r', "");
     let (_, below) = page.split_once(words).expect("the paragraph");
-    let (_, below) = below.split_once("\n```sh\n").expect("lines of shell");
-    below.split_once("\n```\n").expect("their end").0.to_owned()
+    let (_, below) = below.split_once("\n```sh\n").expect("a listing of shell commands");
+    below.split_once("\n```\n").expect("the end of the listing").0.to_owned()
 }
 
 /// Runs shell commands in a folder. They have to succeed without printing errors.

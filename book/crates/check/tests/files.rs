@@ -8,8 +8,8 @@ use course::{Step, camera_with_size};
 use image::{DynamicImage, RgbImage};
 use std::slice;
 
-/// Returns the PNG file with its header changed to these columns and rows, whatever it really
-/// contains.
+/// Returns the PNG file with these columns and rows in its header, whatever size the picture in it
+/// really has.
 fn with_size(png: &[u8], columns: u32, rows: u32) -> Vec<u8> {
     let size = [columns, rows].map(u32::to_be_bytes).concat();
     let header = [&png[12..16], &size, &png[24..29]].concat();
@@ -109,8 +109,8 @@ fn other_kinds_of_png_are_as_locked() {
     let still = encode(ours.clone());
     let with_chunks = |chunks: &[Vec<u8>]| [&still[..33], &chunks.concat(), &still[33..]].concat();
     let animation = chunk(b"acTL", &[0, 0, 0, 2, 0, 0, 0, 0]);
-    // The sequence number 0, the size 640×360 and the offset (0, 0). The delay and the drawing mode
-    // follow.
+    // The chunk of a frame begins with the sequence number 0, the size 640×360 and the offset
+    // (0, 0). The delay and the drawing mode follow.
     let frame = [0, 640, 360, 0, 0].map(u32::to_be_bytes).concat();
     let first_frame = chunk(b"fcTL", &[&frame[..], &[0, 1, 0, 10, 0, 0]].concat());
     let one_grey = DynamicImage::new_luma16(1, 1);

@@ -42,7 +42,7 @@ fn right_programs_with_options_are_blamed_for_nothing() {
     for k in 0..40 {
         let step = Step::ALL[k % 5];
         let decimals = [1, 10, 100, 1000][k / 10];
-        // The sky at the border gives away the decimals, and smaller angles don't show it there.
+        // `check` finds the decimals from the sky at the border, which smaller angles don't show.
         let fov_degrees =
             f64::from(random.u32(40 * decimals..150 * decimals)) / f64::from(decimals);
         let (columns, rows) = (random.u32(16..200), random.u32(16..200));
@@ -75,7 +75,8 @@ fn angles_with_highlights_on_the_border_are_found() {
     }
 }
 
-/// No picture rules out a mistake in step 1, since the sky doesn't show everything in that step.
+/// No picture rules out a mistake in step 1: even if the sky is right, the camera may be slightly
+/// off, or `rgb8` or `Ray::at` may be wrong.
 #[test]
 fn wrong_pictures_of_all_steps_name_the_tests_of_step_1() {
     for step in Step::ALL {

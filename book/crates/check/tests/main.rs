@@ -63,7 +63,7 @@ fn format_answer(result: Result<Answer, CheckError>) -> String {
         Err(error) => return format!("[error]\n{error}"),
     };
     let text = answer.to_string();
-    assert!(text.lines().count() <= 12, "{text}");
+    assert!(text.lines().count() <= 12, "an answer of more than 12 lines:\n{text}");
     let causes: String = answer.causes.iter().map(|cause| format!("\n[{cause}]")).collect();
     format!("[{}]\n{text}{causes}", answer.verdict.words())
 }

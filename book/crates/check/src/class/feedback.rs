@@ -65,8 +65,9 @@ pub(crate) fn judge(result: &Result<Answer, CheckError>, earlier: &[PictureRepor
 }
 
 /// Judges a picture that a right program draws with other options. It earns no point if a listed
-/// mistake produces the same picture, as tan θ in place of tan(θ/2) looks like `--fov 120`. Nor
-/// does a picture of one colour, which many options and mistakes produce.
+/// mistake produces the same picture. For example, a program with tan θ in place of tan(θ/2) draws
+/// exactly the picture of `--fov 120`. Nor does a picture of one colour earn a point, since many
+/// options and mistakes produce it.
 fn judge_options(answer: &Answer) -> Feedback {
     let doubts = &answer.option_doubts;
     let causes: Vec<_> = doubts.mistakes.iter().map(|mistake| Cause::Mistake(mistake)).collect();
@@ -81,7 +82,7 @@ fn judge_options(answer: &Answer) -> Feedback {
     Feedback { verdict: FileVerdict::Compared(verdict), sentence, causes }
 }
 
-/// Finds the first earlier picture that one of the causes also produces. Returns that cause and the
+/// Finds the first earlier picture that has one of these causes, too. Returns that cause and the
 /// name of the picture.
 fn find_shared_cause<'a>(
     causes: &'a [Cause],

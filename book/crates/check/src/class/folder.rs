@@ -16,7 +16,8 @@ pub(crate) const MOST_ENTRIES: usize = 10_000;
 /// The maximum depth of nested folders, counting the student's own.
 const MOST_FOLDERS: usize = 8;
 
-/// Folders that Git and Cargo fill. They contain nothing that was handed in on purpose.
+/// Folders that Git and Cargo fill. We skip them, because they contain nothing that was handed in
+/// on purpose.
 const TOOL_FOLDERS: [&str; 2] = [".git", "target"];
 
 /// The extensions of files that may have been meant as pictures.

@@ -51,7 +51,7 @@ fn normalized_folder_name(student: &StudentFolder) -> Option<String> {
     student.name.to_str().map(normalize_name)
 }
 
-/// The names that several folders share, each in a different Unicode form.
+/// Names that several folders share, apart from their Unicode form.
 pub(crate) struct DuplicateNames(HashSet<String>);
 
 impl DuplicateNames {

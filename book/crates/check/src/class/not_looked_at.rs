@@ -6,7 +6,7 @@ use std::fmt::{self, Display, Formatter};
 const MOST_LISTED: usize = 100;
 const MOST_IN_CLAUSE: usize = 8;
 
-/// Everything that was skipped: the first items, and how many there are in all.
+/// Everything that was skipped: the first few paths, and how many there are in all.
 #[derive(Default)]
 pub(crate) struct NotLookedAt {
     pub first: Vec<SkippedPath>,
@@ -24,7 +24,7 @@ pub(crate) struct SkippedPath {
 pub(crate) enum SkipReason {
     /// The file isn't named after a picture.
     OtherName,
-    /// The file is next to the students' folders, not in one.
+    /// The file is next to the students' folders instead of inside one.
     BesideFolders,
     Link,
     ToolFolder,

@@ -24,9 +24,9 @@ pub struct OwnReport {
 }
 
 impl ClassReport {
-    /// The program's exit code: 2 if something is missing, unreadable or skipped, or if there is a
-    /// note on a student; otherwise 1 if a picture that counts hasn't earned its point; otherwise
-    /// 0.
+    /// The program's exit code. It is 2 if something is missing, unreadable or skipped, or if there
+    /// is a note on a student. If not, it is 1 if a picture that counts towards the points hasn't
+    /// earned its point, and 0 if all have.
     pub fn exit_code(&self) -> u8 {
         if !self.not_looked_at.is_empty() || self.students.iter().any(needs_a_person) {
             2
@@ -111,8 +111,8 @@ impl ClassReport {
 }
 
 impl OwnReport {
-    /// The program's exit code: 2 if there are no pictures, or if one is missing or unreadable;
-    /// otherwise 1 if a picture that counts isn't right; otherwise 0.
+    /// The program's exit code. It is 2 if there are no pictures, or if one is missing or
+    /// unreadable. If not, it is 1 if a picture that counts isn't right, and 0 if all are.
     pub fn exit_code(&self) -> u8 {
         if self.own.pictures.is_empty() || has_missing_or_unreadable(&self.own) {
             2
@@ -167,9 +167,9 @@ struct PictureRow {
 }
 
 impl PictureRow {
-    /// The feedback, after the path of the file if the picture has several files. The path is also
-    /// there if the file is in a subfolder, since the folder may really hold the work of several
-    /// students.
+    /// The feedback. If the picture has several files, it begins with the path of the file. It also
+    /// does so if the file is in a subfolder, since a person should notice when a student's folder
+    /// really holds the work of several students.
     fn feedback_with_file(&self) -> String {
         let file = self.file.as_deref();
         let file = file.filter(|file| self.is_one_of_several || file.contains('/'));

@@ -1,5 +1,5 @@
-//! The sheet for a name: the numbers of that name's scene, from which a student writes the scene in
-//! Rust, and problems to solve on paper with the same numbers.
+//! The sheet for a name. It lists the numbers of the scene that is generated from this name, for a
+//! student to type in Rust, and sets problems to solve on paper with the same numbers.
 
 use crate::changed_number::{format_quantity, owner_names};
 use crate::class::table::align;
@@ -70,7 +70,8 @@ struct ProblemPixel {
     visible: ObjectHit,
 }
 
-/// Formats the sheet for a name as Markdown. A secret word changes the scene of the name.
+/// Formats the sheet for a name as Markdown. If there is a secret word, the scene is generated from
+/// the name and this word, so nobody can generate it from the name alone.
 pub fn format_sheet(name: &str, secret: Option<&str>) -> String {
     Sheet::new(name, secret).to_markdown()
 }
@@ -218,8 +219,9 @@ fn find_problem_pixel(scene: &StepScene, pixels_to_skip: usize) -> Option<Proble
     find(2, 2).or_else(|| find(1, 2)).or_else(|| find(1, 1))
 }
 
-/// Finds the balls on a ray. Returns None if the ray doesn't show a ball, or if it grazes one,
-/// since D has fewer significant digits there.
+/// Finds the balls on a ray. Returns None if the ray doesn't show a ball. Also returns None if it
+/// grazes one: there, the discriminant D is small and has fewer significant digits, so rounding on
+/// paper would spoil the answer.
 fn problem_pixel_of_ray(scene: &StepScene, pixel: (u32, u32), ray: Ray) -> Option<ProblemPixel> {
     let objects = &scene.own.scene.objects;
     let is_ball = |hit: &ObjectHit| objects[hit.object].name != "ground";

@@ -25,9 +25,10 @@ pub(crate) struct PictureReport {
     pub picture: &'static str,
     /// Whether the picture counts towards the score. If no picture is required, all count.
     pub counts: bool,
-    /// The files of this name that were checked. There are none if the picture is missing.
+    /// The files named after this picture that were checked. If there are none, the picture is
+    /// missing.
     pub files: Vec<FileReport>,
-    /// The number of files of this name, including those that weren't checked.
+    /// The number of files named after this picture, including those that weren't checked.
     pub file_count: usize,
 }
 
@@ -64,7 +65,7 @@ impl Note {
 }
 
 impl StudentReport {
-    /// The report on a listed name that no folder has.
+    /// The report on a student who is in the list of names but has no folder.
     pub fn without_folder(name: &str, required: &[&'static str]) -> Self {
         let missing = |picture: &&'static str| PictureReport {
             picture,
@@ -96,7 +97,8 @@ impl StudentReport {
 }
 
 impl PictureReport {
-    /// Whether the picture has earned its point, as every one of its files must.
+    /// Whether the picture has earned its point. For that, it needs at least one file, and every
+    /// one of its files has to earn the point. A file that wasn't checked earns nothing.
     pub fn earns_point(&self) -> bool {
         let deserving = self.files.iter().filter(|file| file.feedback.earns_point());
         self.file_count > 0 && deserving.count() == self.file_count

@@ -30,8 +30,8 @@ pub(crate) struct NewFile {
     pub text: String,
 }
 
-/// Writes files to a folder with a temporary name, which is renamed once all of them are there.
-/// Returns lines that list the files.
+/// Writes files to a new folder. The folder has a temporary name until all of the files are in it,
+/// so nobody finds it half-written. Returns lines that list the files.
 pub(crate) fn write_new_folder(
     folder: &Path,
     files: &[NewFile],
