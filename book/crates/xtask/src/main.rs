@@ -23,7 +23,7 @@ fn main() -> ExitCode {
     ExitCode::FAILURE
 }
 
-/// Draws the mistakes whose code or correct pictures have changed, and compiles the modules for the
+/// Draws the mistakes whose code or right pictures have changed, and compiles the modules for the
 /// book's pages if their sources have changed.
 fn regenerate() -> XtaskResult<()> {
     if let Some(argument) = env::args_os().nth(1) {

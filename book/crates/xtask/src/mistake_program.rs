@@ -1,6 +1,6 @@
-//! Generates a program that draws many mistakes, and runs it. In the program, each mistake is a
-//! module that contains a copy of its step, with the mistake in it, and of all later steps. Earlier
-//! steps are the course's own crates.
+//! Generates a program that draws many mistakes, and runs it. Each mistake is a module in this
+//! program. It contains a copy of the step with the mistake in it, and copies of all later steps.
+//! Earlier steps are the course's own crates.
 
 use crate::error::{XtaskError, XtaskResult};
 use course::{
@@ -105,7 +105,8 @@ fn write_package(mistakes: &[&Mistake]) -> XtaskResult<()> {
     write_text(&folder.join("Cargo.lock"), &read_text(&workspace().join("Cargo.lock"))?)
 }
 
-/// Writes the library of a step, with the mistake if that is in this step, as a part of `module`.
+/// Writes a copy of a step's library into `module`. If the mistake is in one of this step's files,
+/// the copy of that file contains the mistake.
 fn write_step(source: &Path, mistake: &Mistake, step: &str, module: &str) -> XtaskResult<()> {
     let folder = source.join(module).join(step);
     fs::create_dir_all(&folder).map_err(XtaskError::of_file(&folder))?;

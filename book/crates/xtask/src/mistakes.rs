@@ -1,4 +1,4 @@
-//! Draws mistakes for the table, and for the small pictures that the book shows.
+//! Keeps the table and the small pictures of the mistakes up to date, by drawing what has changed.
 
 use crate::error::{XtaskError, XtaskResult};
 use crate::mistake_program::{self, DrawnPictures, text_with_mistake, title_and_file};
@@ -13,8 +13,9 @@ use image::imageops::replace;
 use std::collections::HashMap;
 use std::fs;
 
-/// The maximum number of mistakes in one program. More would take the compiler too much memory. The
-/// results are written after each program, so that an interrupted command can resume from there.
+/// The maximum number of mistakes in one program. With more, the compiler would need too much
+/// memory. The results are written after each program, so if the command is interrupted, the next
+/// one continues from there.
 const BATCH_SIZE: usize = 60;
 
 /// The mistakes, and what is known about their pictures: the rows of the table by their keys, and
@@ -46,8 +47,9 @@ pub fn draw_new_mistakes() -> XtaskResult<()> {
     table.write()
 }
 
-/// Hashes everything that determines a mistake's pictures: the code of its file, the right
-/// pictures, and the names and steps of the pictures that the book shows.
+/// Hashes everything that determines a mistake's pictures: the code of its file with the mistake in
+/// it, the right pictures of the steps that it affects, and the names and steps of the pictures
+/// that the book shows. If the key changes, the mistake has to be drawn again.
 pub fn mistake_key(mistake: &Mistake, right: &[(&str, u64)]) -> XtaskResult<u32> {
     let steps: Vec<_> = mistake.affected_steps().map(Step::name).collect();
     let right = right.iter().filter(|(name, _)| steps.contains(name));

@@ -1,5 +1,6 @@
-//! Hashes source code. Comments, documentation, blank lines and indentation don't count, except in
-//! files that a page shows.
+//! Hashes source code, to find out whether the pages' modules and the pictures of the mistakes are
+//! up to date. Comments, documentation, blank lines and indentation have no influence on the hash,
+//! except in files that a page shows.
 
 use crate::error::{XtaskError, XtaskResult};
 use course::{fnv_1a, workspace};
@@ -10,8 +11,8 @@ use std::path::{Path, PathBuf};
 const FOLDERS: [&str; 5] =
     ["steps", "book/crates/check", "book/crates/course", "book/crates/figures", "book/crates/page"];
 
-/// Files and folders in them to leave out: the file with the hash, the list of mistakes, which a
-/// page loads separately, tests and benchmarks.
+/// Files and folders inside [`FOLDERS`] that aren't hashed: the file that contains the hash, the
+/// list of mistakes, which a page loads separately, and tests and benchmarks.
 const NO_SOURCES: [&str; 4] = ["modules.txt", "mistakes", "tests", "benches"];
 
 /// Sources that a page shows for readers to copy. In these, comments and indentation count, too.
@@ -34,12 +35,13 @@ pub fn source_hash() -> XtaskResult<String> {
     Ok(format!("{:016x}", hash_texts(texts?)))
 }
 
-/// Hashes several texts, and where each of them ends.
+/// Hashes several texts into one number, which also depends on where each of them ends.
 pub fn hash_texts(texts: impl IntoIterator<Item = String>) -> u64 {
     fnv_1a(texts.into_iter().flat_map(|text| text.into_bytes().into_iter().chain([0])))
 }
 
-/// Returns the code without blank lines, lines of comments, and indentation.
+/// Returns the code without blank lines, indentation, and lines that start with `//`. A comment
+/// after some code stays, and so do the `#` comments in TOML files.
 pub fn code_lines(code: &str) -> String {
     let lines = code.lines().map(str::trim);
     let lines = lines.filter(|line| !line.is_empty() && !line.starts_with("//"));

@@ -10,7 +10,7 @@ use std::io::{Write, stderr};
 
 #[test]
 fn modules_are_made_from_the_code_of_today() {
-    let note = "The modules of the pages are older than the code: `cargo xtask` compiles them.";
+    let note = "The pages' modules are older than their source code. `cargo xtask` compiles them.";
     let is_stale = modules::are_stale().expect("the sources can be read");
     assert!(!is_stale || !is_ci(), "{note}");
     if is_stale {
@@ -21,11 +21,12 @@ fn modules_are_made_from_the_code_of_today() {
 
 #[test]
 fn the_table_knows_each_mistake_and_what_is_right() {
-    let table = Table::read().expect("each mistake has its place, and the table can be read");
+    let table = Table::read().expect("each mistake's code occurs once, and each picture is there");
     let new: Vec<_> = table.new_mistakes().map(|(_, mistake)| title_and_file(mistake)).collect();
-    assert!(new.is_empty(), "`cargo xtask` draws these new mistakes:\n{}", new.join("\n"));
+    let note = "These mistakes haven't been drawn yet. `cargo xtask` draws them:";
+    assert!(new.is_empty(), "{note}\n{}", new.join("\n"));
     let texts = mistake_texts().expect("a program includes the texts");
-    assert!(table.text() == texts.table, "the table has changed: `cargo xtask` writes it");
+    assert!(table.text() == texts.table, "table.txt is out of date. `cargo xtask` writes it.");
 }
 
 #[test]
