@@ -28,14 +28,12 @@ pub fn inline_html(markdown: &str, values: &Values) -> ChapterResult<String> {
             Event::InlineMath(latex) | Event::DisplayMath(latex) => {
                 Event::InlineHtml(formula::formula_html(&latex, false, values)?.into())
             }
+            Event::Text(text) if text.contains('$') => return Err(ChapterError::LoneDollarInWords),
             other => other,
         });
     }
     let mut text = String::new();
     html::push_html(&mut text, events.into_iter());
-    if text.contains('$') {
-        return Err(ChapterError::LoneDollarInWords);
-    }
     numbers::fill_in_text(&text.replace('\n', " "), values)
 }
 
@@ -60,6 +58,7 @@ mod tests {
         assert!(html("$t$").expect("HTML").starts_with("<math>"));
         assert_eq!(html("{{#value step02_sphere:300,150:b0}}").expect("HTML"), "−10");
         assert!(matches!(html("1 $"), Err(ChapterError::LoneDollarInWords)));
+        assert_eq!(html("`$name`").expect("HTML"), "<code>$name</code>");
     }
 
     #[test]
