@@ -12,8 +12,8 @@ use support::{RandomInputs, test_law};
 /// Returns every set of vector instructions that this machine supports.
 ///
 /// The library can also do without any. That fallback isn't tested, because it isn't even compiled
-/// for a processor that always has some, and forcing it costs a cold
-/// `cargo test` nearly a minute of CPU time.
+/// for a processor that always has some, and forcing it costs a cold `cargo test` nearly a minute of
+/// CPU time.
 fn simd_levels() -> Vec<Level> {
     let best = Level::new();
     let mut levels = vec![Level::baseline(), best];
