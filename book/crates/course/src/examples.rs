@@ -2,7 +2,7 @@
 //! run along the way, and the solutions to the exercises.
 
 #![allow(dead_code, reason = "the main of an example only runs in its program")]
-#![allow(clippy::duplicate_mod, reason = "`crowd` also declares the module `mirror`")]
+#![allow(clippy::duplicate_mod, reason = "`crowd`, for one, also declares the module `mirror`")]
 #![allow(missing_docs, reason = "each example says at its top what it draws")]
 
 use crate::Step;
@@ -65,6 +65,7 @@ examples! {
         lens: "../../../../steps/step02_sphere/examples/lens.rs" => lens::picture,
         plane: "../../../../steps/step02_sphere/examples/plane.rs" => plane::picture,
         quadric: "../../../../steps/step02_sphere/examples/quadric.rs" => quadric::picture,
+        shapes: "../../../../steps/step02_sphere/examples/shapes.rs" => shapes::picture,
         all_hits: "../../../../steps/step03_nearest/examples/all_hits.rs" => all_hits::picture,
         depth: "../../../../steps/step03_nearest/examples/depth.rs" => depth::picture,
         many: "../../../../steps/step03_nearest/examples/many.rs" => many::picture,
