@@ -296,8 +296,8 @@ const book = /** @type {any} */ ({ root: document.documentElement });
         loadOrSay("theme/search.js");
     })));
 
-    // A preview loads what it needs only once a reader points at it, presses it or focuses it. The
-    // last press is kept until the preview is ready.
+    // A preview loads what it needs only when a reader first points at it, presses it or focuses
+    // it. The last press is kept until the preview is ready.
     book.presses = new Map();
     for (const root of isWhole ? [] : document.querySelectorAll("figure[data-preview]")) {
         root.tabIndex = 0;

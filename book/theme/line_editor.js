@@ -214,8 +214,8 @@
     /** @param {string} text */
     const hasControl = text => /[^\P{Cc}\n\t]/u.test(text);
 
-    // Draws the edited lines. What the module says about them is shown, and the address is changed,
-    // only for the large picture, which is drawn at rest.
+    // Draws the edited lines. Shows the module's message and updates the address only for the large
+    // picture, which is drawn once the reader stops typing.
     /** @param {number} columns */
     async function draw(columns) {
         const line = selected;

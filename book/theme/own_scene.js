@@ -68,8 +68,8 @@
         return keepState;
     }
 
-    // Writes the scene into the page's address whenever a gesture has come to rest, and opens the
-    // scene of an address. Returns a function that writes the address at once.
+    // Writes the scene into the page's address each time a gesture ends, and opens the scene that
+    // an address contains. Returns a function that writes the address at once.
     /** @param {InteractiveFigure} figure @param {() => void} keepState */
     function followAddress(figure, keepState) {
         let restTimer = 0;
@@ -163,7 +163,7 @@
         figure.stage.addEventListener("pointerdown", event => {
             if (event.target === figure.output) findHandle(event)?.grab(event);
         });
-        // A finger beside the balls scrolls the page.
+        // A touch that isn't on a ball still scrolls the page.
         figure.stage.addEventListener("touchstart", event => {
             if (event.touches.length === 1 && findHandle(event.touches[0])) event.preventDefault();
         }, { passive: false });

@@ -14,8 +14,8 @@ async function findFigure(page, address) {
 }
 
 test('a module and a search that fail to load are loaded again', async ({ browser, home }) => {
-  // The fixture's page would fail the test, since here the browser has to report that the first
-  // load failed.
+  // Don't use the fixture's page: it fails a test if the browser reports an error, and here the
+  // browser will report the failed first load.
   const page = await browser.newPage();
   for (const file of ['live-module', 'search-index']) await page.route(`**/${file}.js`, route => route.abort(), { times: 1 });
   const figure = await findFigure(page, home + name);

@@ -1,5 +1,5 @@
-// Every figure becomes ready in WebKit. WebKit is run by its own driver, because Playwright's build
-// of it isn't a browser that anybody uses.
+// Every figure becomes ready in WebKit. WebKit runs through its own driver, because nobody browses
+// with Playwright's build of it.
 import { spawn } from 'node:child_process';
 import { once } from 'node:events';
 import { figures } from './book.js';

@@ -1,4 +1,4 @@
-//! Step 3: a case of the nearest hit that neither a worked number nor a picture covers.
+//! Step 3: a case of finding the nearest hit that no worked example or picture in the book covers.
 
 use glam::DVec3;
 use step03_nearest::{Object, Ray, Sphere, nearest};

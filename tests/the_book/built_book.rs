@@ -17,7 +17,7 @@ fn book_is_built() {
     }
 }
 
-/// Returns the book as a reader opens it.
+/// Returns the built book, exactly as a reader gets it.
 pub fn built_book() -> &'static Site {
     BOOK.as_ref().unwrap_or_else(|_| panic!("see the test book_is_built"))
 }

@@ -68,7 +68,7 @@ fn run(folder: &Path, command: &str, variables: &[(&str, &str)]) -> Result<Strin
 const COMMIT: &str = "git add --all && \
     git -c user.name=Ada -c user.email=ada@example.org commit --quiet --message=work";
 
-/// Creates a repository from the template in `folder`.
+/// Creates a repository in `folder` from the template.
 fn copy_template(folder: &Path) -> Result<()> {
     fs::create_dir_all(folder)?;
     let course = workspace();

@@ -182,7 +182,7 @@ mod tests {
         fs::rename(&book, book.with_extension("old1")).expect("put aside");
         restore_folder(&book).expect("put back");
         assert_eq!(read_index(&book), "old");
-        // Other old folders are removed, and a path that is taken is skipped.
+        // Other old folders are removed. A name that is already in use is skipped.
         fs::create_dir_all(book.with_extension("old2")).expect("a folder");
         restore_folder(&book).expect("removed");
         assert!(!book.with_extension("old2").exists());

@@ -222,8 +222,8 @@ impl<'a> Chapter<'a> {
         }
     }
 
-    /// Puts a wrapper around a block beside which the page opens a tool, such as the line editor. A
-    /// block with notes already has one.
+    /// Wraps a block that has a tool, such as the line editor, opening beside it. A block with
+    /// notes already has one.
     fn wrap_block_with_tool(&self, markdown: String, start: usize) -> String {
         if self.has_notes(start) {
             markdown
@@ -232,8 +232,8 @@ impl<'a> Chapter<'a> {
         }
     }
 
-    /// Returns the HTML of a note. After a block's last note, it also closes the wrapper around
-    /// them.
+    /// Returns the HTML of a note. For a block's last note, also closes the wrapper around the
+    /// block and its notes.
     fn expand_note(
         &self,
         html: ChapterResult<String>,

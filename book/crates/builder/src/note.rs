@@ -37,8 +37,9 @@ pub fn html(kind: NoteKind, words: &str, values: &Values) -> ChapterResult<Strin
     Ok(format!("<aside class=\"{class}\" role=\"note\">{label}{words}</aside>\n"))
 }
 
-/// Finds the ranges of the chapter that each cover a block and the notes after it. A heading can't
-/// have notes, and neither can HTML or a directive that begins or ends a box.
+/// Finds each block that is followed by notes, and returns the range that covers the block and its
+/// notes. A heading can't have notes, and neither can HTML or a directive that begins or ends a
+/// box.
 pub fn find_noted_blocks(text: &str, events: &[(Event, Range<usize>)]) -> Vec<Range<usize>> {
     let mut noted: Vec<Range<usize>> = vec![];
     // The range of the last block and its notes so far, or None if that block can't have notes.

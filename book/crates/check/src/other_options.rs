@@ -103,7 +103,8 @@ impl Options {
         }
     }
 
-    /// The lines after the headline: our own options, and what to look at if no others were given.
+    /// The lines after the headline: our own options, and where to look if the reader used those,
+    /// too.
     pub fn advice() -> Vec<String> {
         vec![
             "Ours is drawn with the default options: --width 640 --aspect 16:9 --fov 60 --samples 1."

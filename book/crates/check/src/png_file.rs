@@ -18,7 +18,7 @@ const IN_UTF_16: &str = "text in UTF-16, as > writes it in PowerShell; have the 
 const WEB_PAGE: &str = "a web page, not the picture on it; save the picture itself";
 
 /// Formats other than PNG: for each, the offset of its signature in the file, the signature, and a
-/// clause to follow "is". At the end come PNG files whose own signature was damaged by copying.
+/// clause to follow "is". The last entries are PNG files whose signature was damaged by copying.
 const FORMATS: [(usize, &[u8], &str); 26] = [
     (0, b"\xff\xd8\xff", "a JPEG, which has lost details; draw it again as PNG"),
     (8, b"WEBP", "a WebP picture; save it as PNG"),

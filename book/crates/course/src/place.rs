@@ -5,8 +5,8 @@
 //!
 //! A place starts with a line such as `a: f64 = v.dot(v)`: its name, the type of its value, and the
 //! book's code. The indented lines below it are of two kinds. Most consist of a type, followed by
-//! the names of this type that an expression may use at the place. The others are a `note:` on what
-//! the surrounding code does with the value.
+//! the variables of that type that an expression may use there. The others start with `note:` and
+//! say what the surrounding code does with the value.
 //!
 //! Lines that start with `#` are comments.
 //!

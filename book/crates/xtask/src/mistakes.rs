@@ -78,7 +78,8 @@ impl Table {
         Ok(Self { right, all, rows, small_pictures })
     }
 
-    /// The mistakes that haven't been drawn with the current code and right pictures.
+    /// The mistakes whose entries are out of date: they haven't been drawn since the code or the
+    /// right pictures last changed, or a small picture is missing.
     pub fn new_mistakes(&self) -> impl Iterator<Item = &(u32, &'static Mistake)> {
         self.all.iter().filter(|(key, mistake)| {
             let has_picture =
@@ -106,7 +107,7 @@ impl Table {
         }
     }
 
-    /// The small pictures of a step with their names, in the order of the list.
+    /// A step's small pictures with their names, in the order in which the mistakes are listed.
     fn step_pictures(&self, step: Step) -> Vec<(&'static str, &RgbImage)> {
         let shown = self.all.iter().flat_map(|(_, mistake)| mistake.pictures());
         let shown = shown.filter(|picture| picture.step == step);

@@ -77,8 +77,8 @@ pub fn format_sheet(name: &str, secret: Option<&str>) -> String {
 }
 
 /// Writes the sheets for a class to a folder that doesn't exist yet: a file for each name, and one
-/// with all sheets for printing. If a file can't be written, none is. Returns lines that list the
-/// files.
+/// with all sheets for printing. If any file can't be written, no files are written. Returns lines
+/// that list the files.
 pub fn write_sheets(
     names: &[String],
     secret: Option<&str>,

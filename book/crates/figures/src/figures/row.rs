@@ -74,8 +74,7 @@ fn draw(values: &ParameterValues) -> Drawing {
         drawing.line("ray faint", c, end);
         drawing.dot("ray", tips[i]);
         if [0, last].contains(&i) {
-            // In a narrow view, the rays are too close for the two numbers, which are then moved
-            // apart.
+            // In a narrow view, the two labels would overlap, so they are moved apart.
             let apart = if i == 0 { end.x.min(c.x - 26.0) } else { end.x.max(c.x + 26.0) };
             drawing.label("quiet", dvec2(apart, end.y - 8.0), &format!("$i$ = {i}"));
         }

@@ -81,9 +81,9 @@ impl Evaluation {
     }
 
     /// Spends some of the picture's operations. A function, a method, an operator or a branch costs
-    /// one each time it is evaluated, since they all take about equally long. Only a remainder may
-    /// cost more. The line as a whole costs one, too. We count operations rather than measure time
-    /// so that the same line is refused on every machine.
+    /// one each time it is evaluated, since they all take about equally long. Only the operator `%`
+    /// may cost more. The line as a whole costs one, too. We count operations rather than measure
+    /// time so that the same line is refused on every machine.
     #[inline]
     pub fn spend(&mut self, operations: u64) -> Result<(), Interruption> {
         match self.operations_left.checked_sub(operations) {

@@ -47,7 +47,7 @@ pub fn remainder_operations(values: &[Value]) -> u64 {
     }
 }
 
-/// Functions that have no result for some arguments, where the program would panic.
+/// Functions that have no result for some arguments: those for which the program would panic.
 macro_rules! partial_functions {
     ($($name:expr, ($($value:ident: $type:ident),*) -> $result:ident = $body:expr;)*) => {
         &[$(Function {

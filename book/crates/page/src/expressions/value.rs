@@ -53,7 +53,7 @@ pub fn describe_types(types: &[ValueType]) -> String {
     if groups.is_empty() { "no value".to_owned() } else { groups.join(" and ") }
 }
 
-/// Says how many values there are, such as `are two`.
+/// Returns the verb and the count for a sentence about the values, such as `are two`.
 pub fn count_values(count: usize) -> String {
     format!("{} {}", if count < 2 { "is" } else { "are" }, count_word(count))
 }
@@ -69,7 +69,7 @@ pub fn capitalise(words: &str) -> String {
     first.to_ascii_uppercase() + rest
 }
 
-/// The error if a value has a different type from its place.
+/// The error if a value's type isn't the one expected where it is used.
 pub struct TypeMismatch;
 
 macro_rules! convert {
