@@ -23,7 +23,8 @@ fn ray_at() {
 fn camera_ray_of_a_pixel() {
     let ray = camera().ray(480.0, 90.0);
     near(ray.direction, [0.29, 0.1617, -1.0]);
-    // Later pictures show more digits: 1.78 for 16:9 would move the edges of step 3.
+    // With 1.78 in place of 16/9, the four digits above would be right, and the edges
+    // in the picture of step 3 would be wrong.
     let six_digits = DVec3::new(0.290030, 0.161730, -1.0);
     assert!(ray.direction.abs_diff_eq(six_digits, 5e-7), "{}", ray.direction);
 }
@@ -35,6 +36,8 @@ fn rgb8_of_intensities() {
 
 #[test]
 fn render_of_offsets() {
+    // With the identity, V is (i, j, 1), the place in the picture. Of the four rays
+    // of the last pixel, one sees the lamp.
     let camera = Camera { matrix: DMat3::IDENTITY, ..Camera::new(3, 2, 1.0) };
     let image = render(&camera, 2, |ray| {
         let v = ray.direction;

@@ -11,9 +11,9 @@ pub enum Roots {
 
 /// Solves at² + bt + c = 0 for t, where a > 0, by the quadratic formula.
 ///
-/// This is the plain formula of the lecture. Careful libraries compute a root in
-/// which nearly equal numbers are subtracted in another way, since it loses digits.
-/// With 64 bits, that doesn't change any picture of this course.
+/// This is the plain formula of the lecture. If it subtracts nearly equal numbers,
+/// digits get lost, so careful libraries compute such a root in another way. With
+/// 64 bits, that doesn't change any picture of this course.
 /// ```
 /// use step02_sphere::{Roots, quadratic};
 /// assert_eq!(quadratic(1.0, -10.0, 24.0), Roots::Two(4.0, 6.0));

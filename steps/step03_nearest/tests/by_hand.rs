@@ -41,6 +41,7 @@ fn hits_in_a_crowd() {
 #[test]
 fn nearest_in_a_crowd() {
     let mut objects = OBJECTS;
+    // The loop goes through a copy of the array. It only counts to nine.
     for _ in objects {
         objects.rotate_left(1);
         let hit = nearest(&objects, &through_the_crowd()).unwrap();
@@ -51,6 +52,7 @@ fn nearest_in_a_crowd() {
 
 #[test]
 fn nearest_of_three_fronts() {
+    // The material is a number here, to tell the balls apart.
     let ball = |centre: f64, radius| Object {
         name: "ball",
         sphere: Sphere::new([0.0, 0.0, -centre], radius),

@@ -12,7 +12,7 @@ const CONTENT: Content = Content::Drawing {
     title: "Curves of 1 / (a + bd + cd²) over the distance d: constant for a alone, falling slowly with b, fast with c; the curve of the scene's warm light begins above them.",
     caption: "What a light gives at the distance $d$, in units of its $L_d$. With $a$ \
                   alone it never fades. With some $b$ it begins to fade at once. With some $c$ it hardly fades at \
-                  first, but ends up lowest. The red curve is that of our warm light<span class='move'>, until you change it</span>, with some of each. \
+                  first, but ends up lowest. The red curve is that of our warm light, with some of each<span class='move'>, until you change it</span>. \
                   At $d = 6$ it gives {{#number attenuation:share}}.",
     draw,
 };
