@@ -38,11 +38,8 @@ impl Camera {
         // row to the last.
         let (steps_right, steps_down) =
             (f64::from(h_res - 1), f64::from(v_res - 1));
-        // Pixels are square, so a step right and a step down have the same length,
-        // 2 tan / steps_right. The top left pixel lies half of the steps to the left
-        // of the middle, (0, 0, −1), and half of the steps above it:
-        // (steps_right / 2) (2 tan / steps_right) = tan, and
-        // (steps_down / 2) (2 tan / steps_right) = (steps_down / steps_right) tan.
+        // Pixels are square, so a step down is as long as a step to the right. From
+        // the middle, (0, 0, −1), half of the steps lead left to V_0, and half up.
         let d_u = DVec3::new(2.0 * tan / steps_right, 0.0, 0.0);
         let d_v = DVec3::new(0.0, -2.0 * tan / steps_right, 0.0);
         let v_0 = DVec3::new(-tan, steps_down / steps_right * tan, -1.0);

@@ -11,9 +11,10 @@ pub enum Roots {
 
 /// Solves at² + bt + c = 0 for t, where a > 0, by the quadratic formula.
 ///
-/// This is the plain formula of the lecture. If it subtracts nearly equal numbers,
-/// digits get lost, so careful libraries compute such a root in another way. With
-/// 64 bits, that doesn't change any picture of this course.
+/// This is the plain formula of the lecture. If b² is much larger than 4ac, one root
+/// is the difference of nearly equal numbers and loses digits. Careful libraries get
+/// it from the other root, since the product of the two is c/a. With 64 bits, that
+/// doesn't change any picture of this course.
 /// ```
 /// use step02_sphere::{Roots, quadratic};
 /// assert_eq!(quadratic(1.0, -10.0, 24.0), Roots::Two(4.0, 6.0));
