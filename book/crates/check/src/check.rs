@@ -25,7 +25,9 @@ pub enum CheckError {
         error: PngError,
     },
     /// Neither the file name nor the picture says which picture it should be.
-    #[error("no name says which picture it should be, such as step02_sphere")]
+    #[error(
+        "nothing says which picture this should be; put its name into the file name, such as step02_sphere"
+    )]
     UnknownName,
     /// The right picture couldn't be loaded.
     #[error(transparent)]

@@ -56,14 +56,14 @@ struct Arguments {
     #[arg(long, value_name = "WORD", requires = "sheet", conflicts_with_all = ["file", "folder"])]
     #[arg(value_parser = NonEmptyStringValueParser::new().map(|word| normalize_name(&word)))]
     secret: Option<String>,
-    /// The pictures that count, separated by commas (default: all that are found)
+    /// The pictures that are worth a point, separated by commas (default: all that are found)
     #[arg(long, value_name = "NAMES", conflicts_with_all = ["file", "scene", "out"])]
     #[arg(value_delimiter = ',', value_parser = locked_name_parser(), hide_possible_values = true)]
     require: Vec<String>,
     /// Prints the report on a class as CSV, for a spreadsheet
     #[arg(long, requires = "folder", conflicts_with_all = ["json", "scene", "out"])]
     csv: bool,
-    /// Prints JSON
+    /// Prints the answer or the report as JSON
     #[arg(long)]
     json: bool,
 }

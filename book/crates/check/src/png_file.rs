@@ -11,7 +11,8 @@ const PNG: &[u8] = b"\x89PNG\r\n\x1a\n";
 
 const COPIED_AS_TEXT: &str =
     "a PNG file whose first bytes have changed, as by a copy as text; copy it as binary";
-const BEHIND_MARK: &str = "a PNG file behind a byte order mark, as for text; copy it as binary";
+const BEHIND_MARK: &str =
+    "a PNG file with a byte order mark in front, as if it were text; copy it as binary";
 const IN_BASE64: &str = "a PNG file as text, in base64; decode it first";
 const IN_UTF_16: &str = "text in UTF-16, as > writes it in PowerShell; have the program write the \
                          picture itself";
@@ -102,7 +103,7 @@ pub enum PngError {
     },
     /// The pixels would take too much memory.
     #[error(
-        "is too large: with 16 bits per channel, {columns}×{rows} pixels have more than {} MB",
+        "is too large: with 16 bits per channel, {columns}×{rows} pixels take up more than {} MB",
         MOST_BYTES >> 20
     )]
     TooMuchMemory {
@@ -115,7 +116,7 @@ pub enum PngError {
     #[error("is a damaged PNG file: {}", damage_clause(.0))]
     Damaged(#[source] DecodingError),
     /// The decoder returned too few pixels.
-    #[error("has fewer pixels than it says")]
+    #[error("contains fewer pixels than its header says")]
     MissingPixels,
 }
 

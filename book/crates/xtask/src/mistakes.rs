@@ -95,7 +95,7 @@ impl Table {
         };
         let hashes: Vec<_> = pictures.iter().map(hash).collect();
         if hashes.iter().all(Option::is_none) {
-            println!("can be seen in no picture: {}", title_and_file(mistake));
+            println!("changes no picture: {}", title_and_file(mistake));
         }
         self.rows.insert(key, hashes);
         for shown in mistake.pictures() {

@@ -57,7 +57,7 @@ pub(crate) fn judge(result: &Result<Answer, CheckError>, earlier: &[PictureRepor
     };
     match find_shared_cause(&feedback.causes, earlier) {
         Some((cause, picture)) => {
-            let sentence = format!("What gives {picture} gives this, too: {cause}.");
+            let sentence = format!("The cause of a wrong {picture} explains this, too: {cause}.");
             Feedback { sentence, ..feedback }
         }
         None => feedback,
@@ -162,11 +162,11 @@ mod tests {
             file_count: 2,
         }];
         let feedback = judge(&wrong("c"), &earlier);
-        assert_eq!(feedback.sentence, "What gives step01_rays gives this, too: a.");
+        assert_eq!(feedback.sentence, "The cause of a wrong step01_rays explains this, too: a.");
         let causes = vec![Cause::Camera("b".to_owned())];
         let answer = Answer { causes, ..answer(Verdict::NotRight) };
         let feedback = judge(&Ok(answer), &earlier);
-        assert_eq!(feedback.sentence, "What gives step01_rays gives this, too: b.");
+        assert_eq!(feedback.sentence, "The cause of a wrong step01_rays explains this, too: b.");
         let feedback = judge(&Ok(self::answer(Verdict::NotRight)), &earlier);
         assert_eq!(feedback.sentence, "The headline.");
     }

@@ -36,7 +36,7 @@ pub enum FolderError {
     #[error("{0} has more than {MOST_ENTRIES} entries")]
     TooManyEntries(String),
     /// The class's folder contains no folders.
-    #[error("{folder} has no folders, one for each student{}", with_semicolon(.not_looked_at))]
+    #[error("{folder} contains no folders; it needs one for each student{}", with_semicolon(.not_looked_at))]
     NoStudents {
         /// The class's folder.
         folder: String,

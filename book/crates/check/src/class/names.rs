@@ -18,7 +18,7 @@ pub enum NamesError {
     #[error("{0} is not in UTF-8")]
     NotUtf8(String),
     /// The file has nothing but blank lines.
-    #[error("{0} has no names, one a line")]
+    #[error("{0} contains no names; write one on each line")]
     Empty(String),
     /// The file has more names than a class may have folders.
     #[error("{0} has more than {MOST_ENTRIES} names")]

@@ -67,7 +67,7 @@ impl Display for SkippedPath {
             SkipReason::OtherName | SkipReason::BesideFolders => "",
             SkipReason::Link => " (a link)",
             SkipReason::ToolFolder => " (a folder of Git or Cargo)",
-            SkipReason::TooDeep => " (in too many folders)",
+            SkipReason::TooDeep => " (nested too deeply)",
             SkipReason::TooManyEntries => " (too many files)",
             SkipReason::TooManyFilesOfPicture => " (too many files of this picture)",
             SkipReason::Unreadable => " (can't be read)",

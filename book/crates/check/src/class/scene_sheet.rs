@@ -35,7 +35,7 @@ pub enum SheetError {
     #[error("{0} is in the list twice, and each name has one sheet")]
     Twice(String),
     /// Two names would have the same file name.
-    #[error("the sheets of {first} and {second} would have one file, {file}")]
+    #[error("the sheets of {first} and {second} would both be written to {file}")]
     SameFile {
         /// The name that comes first in the list.
         first: String,

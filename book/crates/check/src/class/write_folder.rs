@@ -52,7 +52,7 @@ pub(crate) fn write_new_folder(
         return Err(WriteFolderError::Io { folder: printable, source });
     }
     let lines: String = files.iter().flat_map(|file| ["\n", &file.name]).collect();
-    Ok(format!("Written into {printable}:{lines}"))
+    Ok(format!("Written to {printable}:{lines}"))
 }
 
 fn write_files(folder: &Path, files: &[NewFile]) -> io::Result<()> {
