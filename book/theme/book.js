@@ -129,9 +129,29 @@ const book = /** @type {any} */ ({ root: document.documentElement });
         });
     }
 
-    // Contents: mark the current chapter, and list its sections as links.
+    // Contents: mark the current chapter, list its sections as links, and mark the section that is
+    // being read.
     {
         const contents = document.getElementById("contents");
+        // The section being read is the last whose heading is in the upper half of the window or
+        // above it. The margin is larger than any page, so all headings above count.
+        /** @param {Map<Element, HTMLAnchorElement>} sections each heading with its link */
+        const markSection = sections => {
+            /** @type {Set<Element>} */
+            const begun = new Set();
+            /** @type {HTMLAnchorElement | undefined} */
+            let marked;
+            const observer = new IntersectionObserver(entries => {
+                for (const { isIntersecting, target } of entries) begun[isIntersecting ? "add" : "delete"](target);
+                const link = sections.get([...sections.keys()].filter(heading => begun.has(heading)).at(-1));
+                if (link === marked) return;
+                marked?.removeAttribute("aria-current");
+                link?.setAttribute("aria-current", "location");
+                link?.scrollIntoView({ block: "nearest" });
+                marked = link;
+            }, { rootMargin: "1000000px 0px -50%" });
+            for (const heading of sections.keys()) observer.observe(heading);
+        };
         contents.addEventListener("click", event => {
             if (/** @type {Element} */ (event.target).closest("a")) contents.hidePopover();
         });
@@ -152,12 +172,20 @@ const book = /** @type {any} */ ({ root: document.documentElement });
         if (here) {
             here.setAttribute("aria-current", "page");
             const list = book.make("ol", { class: "here" });
+            /** @type {Map<Element, HTMLAnchorElement>} */
+            const sections = new Map();
             for (const heading of document.querySelectorAll("main h2[id]")) {
                 const copy = /** @type {Element} */ (heading.cloneNode(true));
                 const words = copy.querySelector("a.header").childNodes;
-                list.append(book.make("li", {}, book.make("a", { href: `#${heading.id}` }, ...words)));
+                const link = book.make("a", { href: `#${heading.id}` }, ...words);
+                sections.set(heading, link);
+                list.append(book.make("li", {}, link));
             }
-            if (list.children.length) here.closest("li").append(list);
+            if (sections.size) here.closest("li").append(list);
+            markSection(sections);
+            contents.addEventListener("toggle", () => {
+                (list.querySelector("[aria-current]") ?? here).scrollIntoView({ block: "center" });
+            });
             // Measure in the next frame, since the page is laid out for it anyway.
             requestAnimationFrame(() => {
                 if (contents.scrollHeight > contents.clientHeight) here.scrollIntoView({ block: "center" });

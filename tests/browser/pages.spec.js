@@ -27,6 +27,24 @@ for (const name of pages) {
   });
 }
 
+test('the section that is being read is marked in the contents', async ({ page, home }) => {
+  await page.setViewportSize({ width: 1440, height: 720 });
+  await open(page, `${home}step02_sphere.html`);
+  const marked = page.locator('#contents [aria-current=location]');
+  await expect(marked).toHaveCount(0);
+  const links = await page.locator('#contents .here a').all();
+  for (const link of [links.at(-1), links[2]]) {
+    await link.click();
+    await expect(marked).toHaveText(await link.textContent());
+    await expect(marked).toBeInViewport({ ratio: 1 });
+  }
+  await page.setViewportSize({ width: 390, height: 500 });
+  await page.locator('#contents-toggle').dispatchEvent('click');
+  await expect(marked).toBeInViewport({ ratio: 1 });
+  await page.evaluate(() => scrollTo(0, 0));
+  await expect(marked).toHaveCount(0);
+});
+
 test('commands are copied without the prompt and the output', async ({ page, home, browserName }) => {
   test.skip(browserName !== 'chromium', 'only Chromium has a clipboard that a test can read');
   await open(page, `${home}step01_program.html`);
