@@ -65,13 +65,18 @@ for (const [width, height] of [[1440, 900], [1280, 720], [1100, 720]]) {
   });
 }
 
-test('on a phone with its keyboard open, the picture stays in view above the controls', async ({ page, home }) => {
-  await page.setViewportSize({ width: 390, height: 508 });
-  await open(page, `${home}own_scene.html`);
-  await page.locator('figure[data-live=own_scene][data-ready]').waitFor({ timeout: 20_000 });
-  await page.getByRole('button', { name: 'Download PNG' }).evaluate(one => one.scrollIntoView({ block: 'end' }));
-  await expect(page.locator('.stage')).toBeInViewport({ ratio: 1 });
-});
+for (const [width, height] of [[390, 508], [1024, 700]]) {
+  test(`the picture stays in view above the controls at ${width}×${height}`, async ({ page, home }) => {
+    await page.setViewportSize({ width, height });
+    await open(page, `${home}own_scene.html`);
+    await page.locator('figure[data-live=own_scene][data-ready]').waitFor({ timeout: 20_000 });
+    await page.getByRole('button', { name: 'Download PNG' }).evaluate(one => one.scrollIntoView({ block: 'end' }));
+    await expect(page.locator('.stage')).toBeInViewport({ ratio: 1 });
+    const sliders = await page.locator('.controls input[type=range]:visible').evaluateAll(all => all.map(one => one.clientWidth));
+    expect(Math.min(...sliders), 'the width of a slider').toBeGreaterThan(120);
+    expect(Math.max(...sliders) - Math.min(...sliders), 'all are equally wide').toBeLessThanOrEqual(1);
+  });
+}
 
 test('the first page’s picture loads nothing until somebody is at it, then a ball is dragged, and its link has the scene', async ({ page, home }) => {
   const files = [];

@@ -32,6 +32,11 @@ test('the first click on a picture opens the panel beside it, and the address fo
   await figure.scrollIntoViewIfNeeded();
   await figure.and(page.locator('[data-ready]')).waitFor({ timeout: 20_000 });
   await expect(panel).toBeHidden();
+  // The switches are in one row, and the sliders in another.
+  const bottoms = kind => figure.locator(`.controls > .${kind}:visible`).evaluateAll(all => all.map(one => Math.round(one.getBoundingClientRect().bottom)));
+  const [switches, sliders] = [await bottoms('switch'), await bottoms('range')];
+  expect([switches.length, new Set(switches).size, sliders.length, new Set(sliders).size]).toEqual([3, 1, 2, 1]);
+  expect(sliders[0]).toBeGreaterThan(switches[0]);
   const { x, y, width } = await figure.locator('.stage').boundingBox();
   await page.mouse.click(x + width / 2, y + width / 4);
   await expect(page).toHaveURL(/#pixel=3\d\d,1\d\d$/);
