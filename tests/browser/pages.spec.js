@@ -27,6 +27,16 @@ for (const name of pages) {
   });
 }
 
+test('on a phone, a shadow shows what continues at the edge', async ({ page, home }) => {
+  await page.setViewportSize({ width: 390, height: 844 });
+  await openAll(page, `${home}step01_rays.html`);
+  const scrolling = await page.locator('main *').evaluateAll(all => all
+    .filter(one => one.scrollWidth > one.clientWidth + 1 && getComputedStyle(one).overflowX === 'auto')
+    .map(one => [one.parentElement.className, getComputedStyle(one).backgroundAttachment.includes('local')]));
+  expect(scrolling.filter(([, hasShadow]) => !hasShadow)).toEqual([]);
+  expect(scrolling.length).toBeGreaterThan(10);
+});
+
 test('the section that is being read is marked in the contents', async ({ page, home }) => {
   await page.setViewportSize({ width: 1440, height: 720 });
   await open(page, `${home}step02_sphere.html`);
