@@ -45,11 +45,33 @@
             if (this.probe) this.followPresses();
             this.show(this.reply);
             this.selectObject(this.handles[0]?.object);
-            // The first handle that can be dragged says so until the figure has been touched.
-            this.handles.find(({ about }) => about.mark !== "probe")?.element.classList.add("first");
+            const first = this.handles.find(handle => handle !== this.probe);
+            if (first && !this.about.colours) this.addCue(first.element);
             for (const kind of ["pointerdown", "keydown"]) {
                 this.stage.addEventListener(kind, () => { root.dataset.touched = ""; }, { once: true });
             }
+        }
+
+        // Adds the word "drag" beside a handle, which stays until the figure is touched. It goes to a
+        // side where it covers no label and no other handle, if there is one.
+        /** @param {HTMLElement} handle */
+        addCue(handle) {
+            const cue = book.make("span", { "aria-hidden": true }, "drag");
+            handle.append(cue);
+            const stage = this.stage.getBoundingClientRect();
+            const others = [...this.stage.querySelectorAll("text, .handle")].filter(part => part !== handle);
+            const boxes = others.map(part => part.getBoundingClientRect());
+            const isFree = () => {
+                const { left, right, top, bottom } = cue.getBoundingClientRect();
+                const covers = boxes.some(box => left < box.right && box.left < right && top < box.bottom && box.top < bottom);
+                return stage.top <= top && right <= stage.right && !covers;
+            };
+            const sides = ["", "below", "left", "left below", "below far"];
+            const isFreeAt = (/** @type {string} */ side) => {
+                cue.className = `cue ${side}`;
+                return isFree();
+            };
+            if (!sides.some(isFreeAt)) isFreeAt("");
         }
 
         // Sends a request to the module, and returns the reply. Throws a `Refusal` if the reply is

@@ -34,26 +34,38 @@ test('a typed number that a figure cannot use is explained', async ({ page, home
   }
 });
 
-test('labels of drawings do not overlap in their real fonts', async ({ page, home }) => {
+test('labels of drawings do not overlap, and no handle covers one', async ({ page, home }) => {
   // On a phone, small labels are larger in proportion.
   await page.setViewportSize({ width: 390, height: 844 });
   for (const name of new Set(figures.map(([name]) => name))) {
     await open(page, home + name);
+    await page.evaluate(() => document.querySelectorAll('details').forEach(box => { box.open = true; }));
+    for (const figure of await page.locator('.drawing[data-live]').all()) {
+      await figure.scrollIntoViewIfNeeded();
+      await figure.and(page.locator('[data-ready]')).waitFor({ timeout: 20_000 });
+    }
     const faults = await page.evaluate(async () => {
       await document.fonts.ready;
-      const all = [...document.querySelectorAll('.drawing svg')].flatMap(svg => {
+      const overlap = (one, other) => one.left < other.right && other.left < one.right && one.top < other.bottom && other.top < one.bottom;
+      return [...document.querySelectorAll('.drawing svg')].flatMap(svg => {
+        const { a: scale, e, f } = svg.getScreenCTM();
         const labels = [...svg.querySelectorAll('text')].filter(one => one.textContent).map(one => {
           const { x, width } = one.getBBox();
           const [baseline, size] = [Number(one.getAttribute('y')), parseFloat(getComputedStyle(one).fontSize)];
-          return { words: one.textContent, left: x, right: x + width, top: baseline - 0.7 * size, bottom: baseline + 0.2 * size };
+          const [left, right] = [x, x + width].map(x => scale * x + e);
+          const [top, bottom] = [baseline - 0.7 * size, baseline + 0.2 * size].map(y => scale * y + f);
+          return { words: one.textContent, left, right, top, bottom };
         });
-        const { width, height } = svg.viewBox.baseVal;
-        const cut = labels.filter(one => one.left < 0 || one.top < 0 || one.right > width || one.bottom > height);
-        const over = labels.filter((one, k) => labels.slice(0, k).some(other =>
-          one.left < other.right && other.left < one.right && one.top < other.bottom && other.top < one.bottom));
-        return [...cut, ...over].map(one => `${svg.parentElement.id}: ${one.words}`);
+        const box = svg.getBoundingClientRect();
+        const cut = labels.filter(one => one.left < box.left || one.top < box.top || one.right > box.right || one.bottom > box.bottom);
+        const handles = [...svg.parentElement.querySelectorAll('.handle:not([hidden])')];
+        const marks = [...handles, ...svg.parentElement.querySelectorAll('.cue')].map(one => one.getBoundingClientRect());
+        // A handle is round, so it doesn't reach into the corners of its box.
+        const isCovered = label => marks.some(({ left, right, top, bottom, width, height }) => overlap(label, width > height
+          ? { left, right, top, bottom } : { left: left + 0.1 * width, right: right - 0.1 * width, top: top + 0.1 * height, bottom: bottom - 0.1 * height }));
+        const over = labels.filter((one, k) => isCovered(one) || labels.slice(0, k).some(other => overlap(one, other)));
+        return [...cut, ...over].map(one => `${svg.closest('figure').id}: ${one.words}`);
       });
-      return all;
     });
     expect.soft(faults, name).toEqual([]);
   }
