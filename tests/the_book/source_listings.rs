@@ -27,7 +27,10 @@ fn every_line_of_every_file_is_listed_once() {
         if listed_text != text {
             let pairs = text.lines().zip(listed_text.lines());
             let equal_count = pairs.take_while(|(line, listed)| line == listed).count();
-            faults.push(format!("Line {} of {path} is not listed once.", equal_count + 1));
+            let line = equal_count + 1;
+            faults.push(format!(
+                "The pages' listings of {path} differ from the file from line {line} on."
+            ));
         }
     }
     assert_no_faults(&faults);
