@@ -1,26 +1,24 @@
 //! Shapes of three kinds in one list: balls and an egg, on an endless floor.
 
-#[path = "plane.rs"]
-#[allow(dead_code, reason = "it is a program of its own, too")]
-mod plane;
-#[path = "quadric.rs"]
-#[allow(dead_code, reason = "it is a program of its own, too")]
-mod quadric;
-
-use glam::{DMat3, DVec3};
+use glam::DVec3;
 use image::RgbImage;
-use plane::{GROUND, Plane};
-use quadric::Quadric;
-use step02_sphere::{Camera, Ray, Sphere, direction_colour, draw_and_save, render};
+use step02_sphere::{
+    Camera, Ray, Sphere, direction_colour, draw_and_save, quadratic, render,
+};
 
 /// A shape of any kind that this program knows.
 pub enum Shape {
     /// A ball.
     Sphere(Sphere),
-    /// An infinite plane.
-    Plane(Plane),
-    /// A whole quadric, such as an egg.
-    Quadric(Quadric),
+    /// An endless floor at this height y.
+    Floor(f64),
+    /// A ball of radius 1, stretched and then moved.
+    Egg {
+        /// Where its centre is.
+        centre: DVec3,
+        /// How much it is stretched along each axis.
+        radii: DVec3,
+    },
 }
 
 impl Shape {
@@ -28,8 +26,16 @@ impl Shape {
     pub fn first_hit(&self, ray: &Ray) -> Option<f64> {
         match self {
             Shape::Sphere(sphere) => sphere.intersect(ray).first_hit(),
-            Shape::Plane(plane) => plane.first_hit(ray),
-            Shape::Quadric(quadric) => quadric.intersect(ray).first_hit(),
+            Shape::Floor(y) => {
+                let t = (y - ray.start.y) / ray.direction.y;
+                // A ray along the floor would give an infinite t.
+                (0.0 < t && t < f64::INFINITY).then_some(t)
+            }
+            Shape::Egg { centre, radii } => {
+                // Squeeze the world until the egg is a ball of radius 1.
+                let (s, v) = ((ray.start - centre) / radii, ray.direction / radii);
+                quadratic(v.dot(v), 2.0 * s.dot(v), s.dot(s) - 1.0).first_hit()
+            }
         }
     }
 
@@ -37,8 +43,10 @@ impl Shape {
     pub fn normal(&self, p: DVec3) -> DVec3 {
         match self {
             Shape::Sphere(sphere) => (p - sphere.centre) / sphere.radius,
-            Shape::Plane(plane) => plane.normal.normalize(),
-            Shape::Quadric(quadric) => quadric.gradient(p).normalize(),
+            Shape::Floor(_) => DVec3::Y,
+            Shape::Egg { centre, radii } => {
+                ((p - centre) / (radii * radii)).normalize()
+            }
         }
     }
 }
@@ -46,14 +54,15 @@ impl Shape {
 /// The shapes in the picture, and their colours.
 fn scene() -> [(Shape, DVec3); 4] {
     let ball = |centre, radius| Shape::Sphere(Sphere::new(centre, radius));
-    // 0.9 wide to each side, 1.3 up and down.
-    let egg = DMat3::from_diagonal(DVec3::new(0.9, 1.3, 0.9).powf(-2.0));
-    let egg = Quadric::around(DVec3::new(1.1, 0.3, -5.4), egg, -1.0);
+    let egg = Shape::Egg {
+        centre: DVec3::new(1.1, 0.3, -5.4),
+        radii: DVec3::new(0.9, 1.3, 0.9),
+    };
     [
-        (Shape::Plane(GROUND), DVec3::new(0.80, 0.76, 0.82)),
+        (Shape::Floor(-1.0), DVec3::new(0.80, 0.76, 0.82)),
         (ball([-1.3, 0.2, -6.4], 1.2), DVec3::new(0.91, 0.34, 0.28)),
         (ball([-0.25, -0.6, -4.6], 0.4), DVec3::new(0.16, 0.60, 0.60)),
-        (Shape::Quadric(egg), DVec3::new(0.99, 0.87, 0.62)),
+        (egg, DVec3::new(0.99, 0.87, 0.62)),
     ]
 }
 

@@ -2,7 +2,7 @@
 //! run along the way, and the solutions to the exercises.
 
 #![allow(dead_code, reason = "the main of an example only runs in its program")]
-#![allow(clippy::duplicate_mod, reason = "`crowd`, for one, also declares the module `mirror`")]
+#![allow(clippy::duplicate_mod, reason = "`crowd` also declares the module `mirror`")]
 #![allow(missing_docs, reason = "each example says at its top what it draws")]
 
 use crate::Step;
