@@ -8,6 +8,7 @@ use crate::directive::{Directive, DirectiveKind, replace_directives};
 use crate::fault::{ChapterError, ChapterResult, Fault};
 use crate::folded_box::BoxKind;
 use crate::markdown;
+use crate::open_box::OpenBox;
 use crate::picture::{self, Interaction, Loading};
 use crate::problem::{Heading, OpenProblem, Position, Problem};
 use crate::{
@@ -17,7 +18,6 @@ use crate::{
 use mdbook_markdown::pulldown_cmark::{
     CodeBlockKind, Event, Parser, Tag, TagEnd, TextMergeWithOffset,
 };
-use std::mem;
 use std::ops::Range;
 
 /// The maximum depth to which lists, quotations, emphasis and so on may be nested. At a depth of
@@ -25,7 +25,7 @@ use std::ops::Range;
 const MAX_NESTING: usize = 20;
 
 /// A chapter as Markdown for mdBook to render, and the faults and problems found in it.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub struct ExpandedChapter {
     markdown: String,
     /// Its faults, from top to bottom.
@@ -59,28 +59,18 @@ pub fn expand_chapter(
         text,
         sources,
         source_place_markdown,
-        expanded: String::new(),
+        expanded: ExpandedChapter::default(),
         expanded_end: 0,
-        faults: vec![],
         listings: vec![],
         loading: Loading::AtOnce,
         noted_blocks: vec![],
         open_box: None,
-        open_problem: None,
-        problems: vec![],
-        sheet_position: None,
         missing_panel: None,
-        panel_ends_frame: false,
     };
     chapter.expand_blocks();
     chapter.copy_until(text.len());
-    chapter.faults.sort_by_key(|fault| fault.line);
-    ExpandedChapter {
-        markdown: chapter.expanded,
-        faults: chapter.faults,
-        problems: chapter.problems,
-        sheet_position: chapter.sheet_position,
-    }
+    chapter.expanded.faults.sort_by_key(|fault| fault.line);
+    chapter.expanded
 }
 
 /// A chapter while it is being expanded, in one pass from top to bottom.
@@ -90,26 +80,24 @@ struct Chapter<'a> {
     sources: &'a Sources,
     source_place_markdown: &'a str,
     /// The expansion of the text up to the position `expanded_end`.
-    expanded: String,
+    expanded: ExpandedChapter,
     expanded_end: usize,
-    faults: Vec<Fault>,
     /// The ids of the listings so far.
     listings: Vec<String>,
     /// How the next picture is loaded.
     loading: Loading,
     /// The ranges of the text that each cover a block and the notes after it.
     noted_blocks: Vec<Range<usize>>,
-    /// The position where the open box begins.
-    open_box: Option<usize>,
-    open_problem: Option<OpenProblem>,
-    problems: Vec<Problem>,
-    /// The position of the problem sheet in `expanded`.
-    sheet_position: Option<usize>,
-    /// The position and name of an interactive picture with a probe whose panel hasn't begun yet.
-    missing_panel: Option<(usize, &'static str)>,
-    /// Whether the open box is a panel inside a wrapper that was opened for its picture. If so, the
-    /// wrapper ends with the box.
-    panel_ends_frame: bool,
+    open_box: Option<OpenBox>,
+    missing_panel: Option<MissingPanel>,
+}
+
+/// An interactive picture with a probe whose panel hasn't begun yet.
+struct MissingPanel {
+    /// The name of the picture.
+    picture: &'static str,
+    /// The position of the picture's paragraph.
+    position: usize,
 }
 
 type Events<'a> = [(Event<'a>, Range<usize>)];
@@ -127,13 +115,13 @@ enum Expansion {
 impl<'a> Chapter<'a> {
     fn add_fault(&mut self, position: usize, error: ChapterError) {
         let line = 1 + self.text[..position].matches('\n').count();
-        self.faults.push(Fault { line, error });
+        self.expanded.faults.push(Fault { line, error });
     }
 
     /// Copies the text unchanged, from the end of what has been expanded so far up to this
     /// position.
     fn copy_until(&mut self, position: usize) {
-        self.expanded += &self.text[self.expanded_end..position];
+        self.expanded.markdown += &self.text[self.expanded_end..position];
         self.expanded_end = position;
     }
 
@@ -141,7 +129,7 @@ impl<'a> Chapter<'a> {
     /// the expanded text.
     fn copy_and_pair_position(&mut self, in_text: usize) -> Position {
         self.copy_until(in_text);
-        Position { in_text, in_expanded: self.expanded.len() }
+        Position { in_text, in_expanded: self.expanded.markdown.len() }
     }
 
     /// Replaces a range of the text with `part`, or adds a fault if `part` is an error.
@@ -149,7 +137,7 @@ impl<'a> Chapter<'a> {
         self.copy_until(range.start);
         self.expanded_end = range.end;
         match part {
-            Ok(part) => self.expanded += &part,
+            Ok(part) => self.expanded.markdown += &part,
             Err(error) => self.add_fault(range.start, error),
         }
     }
@@ -199,11 +187,10 @@ impl<'a> Chapter<'a> {
                 }
             }
         }
-        let problem_position = self.open_problem.as_ref().map(|problem| problem.start);
-        if let Some(position) = problem_position.or(self.open_box) {
-            self.add_fault(position, ChapterError::MissingEndOfBox);
+        if let Some(open_box) = &self.open_box {
+            self.add_fault(open_box.start(), ChapterError::MissingEndOfBox);
         }
-        if let Some((position, picture)) = self.missing_panel {
+        if let Some(MissingPanel { picture, position }) = self.missing_panel {
             self.add_fault(position, ChapterError::MissingPanel(picture));
         }
     }
@@ -218,7 +205,7 @@ impl<'a> Chapter<'a> {
     fn open_noted_block(&mut self, start: usize) {
         if self.has_notes(start) {
             self.copy_until(start);
-            self.expanded += note::OPENING_HTML;
+            self.expanded.markdown += note::OPENING_HTML;
         }
     }
 
@@ -273,15 +260,15 @@ impl<'a> Chapter<'a> {
             },
             Event::Start(Tag::Strong) => {
                 let position = self.copy_and_pair_position(range.start);
-                if let Some(problem) = &mut self.open_problem {
-                    problem.record_bold_start(position);
+                if let Some(OpenBox::Answer(answer)) = &mut self.open_box {
+                    answer.record_bold_start(position);
                 }
                 return Ok(Expansion::Keep);
             }
             Event::End(TagEnd::Strong) => {
                 let position = self.copy_and_pair_position(range.end);
-                if let Some(problem) = &mut self.open_problem {
-                    problem.record_bold_end(position);
+                if let Some(OpenBox::Answer(answer)) = &mut self.open_box {
+                    answer.record_bold_end(position);
                 }
                 return Ok(Expansion::Keep);
             }
@@ -375,7 +362,7 @@ impl<'a> Chapter<'a> {
             DirectiveKind::Mistakes => {
                 mistake_gallery::markdown(words, self.sources, &mut self.loading)?
             }
-            DirectiveKind::Problem if self.open_problem.is_some() || self.open_box.is_some() => {
+            DirectiveKind::Problem if self.open_box.is_some() => {
                 return Err(ChapterError::ProblemInBox);
             }
             DirectiveKind::Problem => {
@@ -385,17 +372,14 @@ impl<'a> Chapter<'a> {
             DirectiveKind::ProblemSheet => {
                 self.replace(range.clone(), Ok("\n\n".to_owned()));
                 // The sheet goes between the two newlines.
-                self.sheet_position = Some(self.expanded.len() - 1);
+                self.expanded.sheet_position = Some(self.expanded.markdown.len() - 1);
                 return Ok(Expansion::Done);
             }
             DirectiveKind::End => self.end_box()?,
-            DirectiveKind::PixelPanel => {
-                let html = self.pixel_panel_html(words);
-                self.begin_box(kind, range.start, html)?
-            }
-            DirectiveKind::Box(box_kind) => {
-                let html = folded_box::opening_html(box_kind, words, values);
-                self.begin_box(kind, range.start, html)?
+            DirectiveKind::PixelPanel => self.begin_panel(words, range.start)?,
+            DirectiveKind::Box(kind) => {
+                let html = folded_box::opening_html(kind, words, values);
+                self.begin_folded_box(kind, range.start, html)?
             }
             // The first three belong in a sentence, and the rest can't stand here at all. The text
             // inside this paragraph has an event of its own, which fills in the former and reports
@@ -410,27 +394,53 @@ impl<'a> Chapter<'a> {
         }))
     }
 
-    /// Opens a box. It counts as open even if its first line is an error, so that its `{{#end}}`
-    /// isn't reported as well. Boxes don't nest.
-    fn begin_box(
+    /// Opens a folded box, or the answer to the open problem.
+    fn begin_folded_box(
         &mut self,
-        kind: DirectiveKind,
+        kind: BoxKind,
         start: usize,
         html: ChapterResult<String>,
     ) -> ChapterResult<String> {
-        if self.open_box.is_some() {
-            return Err(ChapterError::BoxInBox);
-        }
-        self.open_box = Some(start);
-        let answer_start = self.copy_and_pair_position(start);
-        match &mut self.open_problem {
-            Some(_) if kind != DirectiveKind::Box(BoxKind::Answer) => {
-                return Err(ChapterError::MissingAnswer);
+        match self.open_box.take() {
+            Some(OpenBox::Problem(problem)) if kind == BoxKind::Answer => {
+                let answer = problem.begin_answer(self.copy_and_pair_position(start));
+                self.open_box = Some(OpenBox::Answer(answer));
+                html
             }
-            Some(problem) => problem.record_answer_start(answer_start),
-            None => {}
+            open_box => {
+                self.open_box = open_box;
+                self.begin_box(OpenBox::Folded { start }, html)
+            }
         }
-        html
+    }
+
+    /// Opens the panel of the picture `name`, which has to be the interactive picture above.
+    fn begin_panel(&mut self, name: &str, start: usize) -> ChapterResult<String> {
+        let picture = self.missing_panel.take_if(|panel| panel.picture == name);
+        let (html, ends_wrapper) = match picture {
+            Some(MissingPanel { picture, position }) => {
+                (Ok(pixel_panel::opening_html(picture)), !self.has_notes(position))
+            }
+            None => (Err(ChapterError::PanelWithoutPicture(name.to_owned())), false),
+        };
+        self.begin_box(OpenBox::Panel { start, ends_wrapper }, html)
+    }
+
+    /// Opens a box that isn't the answer to a problem. It counts as open even if its first line is
+    /// an error, so that its `{{#end}}` isn't reported as well. Boxes don't nest.
+    fn begin_box(&mut self, new: OpenBox, html: ChapterResult<String>) -> ChapterResult<String> {
+        match &self.open_box {
+            None => {
+                self.open_box = Some(new);
+                html
+            }
+            // The next `{{#end}}` is that of this box, and also ends the problem.
+            Some(OpenBox::Problem(problem)) => {
+                self.open_box = Some(OpenBox::Folded { start: problem.start });
+                Err(ChapterError::MissingAnswer)
+            }
+            Some(_) => Err(ChapterError::BoxInBox),
+        }
     }
 
     /// Opens a problem. It counts as open even if its first line is an error, so that its
@@ -445,39 +455,30 @@ impl<'a> Chapter<'a> {
         };
         self.replace(range.clone(), html);
         let text_start = self.copy_and_pair_position(range.end);
-        self.open_problem = Some(OpenProblem::new(heading, range.start, text_start));
-    }
-
-    /// The HTML that begins the panel of the picture `name`, which has to be the interactive
-    /// picture above.
-    fn pixel_panel_html(&mut self, name: &str) -> ChapterResult<String> {
-        match self.missing_panel.take_if(|(_, picture)| *picture == name) {
-            Some((position, picture)) => {
-                self.panel_ends_frame = !self.has_notes(position);
-                Ok(pixel_panel::opening_html(picture))
-            }
-            None => Err(ChapterError::PanelWithoutPicture(name.to_owned())),
-        }
+        let problem = OpenProblem { heading, start: range.start, text_start };
+        self.open_box = Some(OpenBox::Problem(problem));
     }
 
     /// Closes the open box and, if it is the answer to a problem, that problem.
     fn end_box(&mut self) -> ChapterResult<String> {
-        match (self.open_box.take(), self.open_problem.take()) {
-            (Some(_), None) if mem::take(&mut self.panel_ends_frame) => {
+        match self.open_box.take() {
+            Some(OpenBox::Folded { .. } | OpenBox::Panel { ends_wrapper: false, .. }) => {
+                Ok("</details>\n".to_owned())
+            }
+            Some(OpenBox::Panel { ends_wrapper: true, .. }) => {
                 Ok(format!("</details>\n{}", note::CLOSING_HTML))
             }
-            (Some(_), None) => Ok("</details>\n".to_owned()),
-            (Some(_), Some(problem)) => {
-                let start = problem.start;
-                match problem.finish(self.text, &self.expanded) {
-                    Some(Ok(problem)) => self.problems.push(problem),
+            Some(OpenBox::Problem(_)) => Err(ChapterError::MissingAnswer),
+            Some(OpenBox::Answer(answer)) => {
+                let start = answer.problem.start;
+                match answer.finish(self.text, &self.expanded.markdown) {
+                    Some(Ok(problem)) => self.expanded.problems.push(problem),
                     Some(Err(error)) => self.add_fault(start, error),
                     None => {}
                 }
                 Ok("</details>\n</section>\n".to_owned())
             }
-            (None, Some(_)) => Err(ChapterError::MissingAnswer),
-            (None, None) => Err(ChapterError::EndWithoutBox),
+            None => Err(ChapterError::EndWithoutBox),
         }
     }
 
@@ -509,7 +510,8 @@ impl<'a> Chapter<'a> {
         let html = self.figures_html(&pictures, interaction)?;
         Ok(Expansion::Replace(match interaction {
             Some(Interaction::Live(picture)) if picture.probe().is_some() => {
-                self.missing_panel = Some((range.start, picture.name));
+                self.missing_panel =
+                    Some(MissingPanel { picture: picture.name, position: range.start });
                 let opening = if self.has_notes(range.start) { "" } else { note::OPENING_HTML };
                 opening.to_owned() + &html
             }

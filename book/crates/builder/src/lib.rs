@@ -63,6 +63,7 @@ mod folded_box;
 mod listing;
 mod mistake_gallery;
 mod note;
+mod open_box;
 mod picture;
 mod pixel_panel;
 mod problem;

@@ -61,50 +61,50 @@ pub struct Position {
     pub in_expanded: usize,
 }
 
-/// A problem whose `{{#end}}` hasn't been reached yet.
+/// A problem whose answer hasn't begun yet.
 #[derive(Debug)]
 pub struct OpenProblem {
     /// The heading, or None if the first line is an error.
-    heading: Option<Heading>,
+    pub heading: Option<Heading>,
     /// The start of the first line.
     pub start: usize,
     /// The end of the first line.
-    text_start: Position,
-    /// The start of the answer.
-    answer_start: Option<Position>,
-    /// The start and end of the first bold words in the answer.
+    pub text_start: Position,
+}
+
+impl OpenProblem {
+    pub fn begin_answer(self, start: Position) -> OpenAnswer {
+        OpenAnswer { problem: self, start, bold_start: None, bold_end: None }
+    }
+}
+
+/// The answer to a problem whose `{{#end}}` hasn't been reached yet.
+#[derive(Debug)]
+pub struct OpenAnswer {
+    pub problem: OpenProblem,
+    /// The start of the line `{{#answer}}`.
+    start: Position,
+    /// The start and end of the first bold words.
     bold_start: Option<Position>,
     bold_end: Option<Position>,
 }
 
-impl OpenProblem {
-    pub fn new(heading: Option<Heading>, start: usize, text_start: Position) -> Self {
-        Self { heading, start, text_start, answer_start: None, bold_start: None, bold_end: None }
-    }
-
-    pub fn record_answer_start(&mut self, position: Position) {
-        self.answer_start = Some(position);
-    }
-
-    /// Records where bold words begin, if they are the first in the answer.
+impl OpenAnswer {
+    /// Records where bold words begin, if they are the first.
     pub fn record_bold_start(&mut self, position: Position) {
-        if self.answer_start.is_some() {
-            self.bold_start.get_or_insert(position);
-        }
+        self.bold_start.get_or_insert(position);
     }
 
-    /// Records where bold words end, if they are the first in the answer.
+    /// Records where bold words end, if they are the first.
     pub fn record_bold_end(&mut self, position: Position) {
-        if self.bold_start.is_some() {
-            self.bold_end.get_or_insert(position);
-        }
+        self.bold_end.get_or_insert(position);
     }
 
-    /// Completes the problem when its `{{#end}}` is reached. Returns None if it has no answer or
-    /// its first line is an error, both of which have already been reported.
+    /// Completes the problem when its `{{#end}}` is reached. Returns None if its first line is an
+    /// error, which has already been reported.
     pub fn finish(self, text: &str, expanded: &str) -> Option<ChapterResult<Problem>> {
-        let (start, end) = (self.text_start, self.answer_start?);
-        let heading = self.heading?;
+        let (start, end) = (self.problem.text_start, self.start);
+        let heading = self.problem.heading?;
         let words = text[start.in_text..end.in_text].split_whitespace();
         if words.count() > MAX_WORDS {
             return Some(Err(ChapterError::LongProblem(MAX_WORDS)));
