@@ -54,17 +54,19 @@ pub fn preview_html(figure: &Figure) -> String {
     format!("<div class=\"controls\" hidden>{hint}</div>")
 }
 
-/// The folded number fields, with one row for each object.
+/// The folded number fields. The coordinates of an object share a row.
 fn exact_html(exact: &[Control]) -> String {
     if exact.is_empty() {
         return String::new();
     }
-    let words = |control: &Control| control.parameter.words.clone();
-    let rows = exact.chunk_by(|one, other| words(one) == words(other)).map(|row| {
+    let object = |control: &Control| control.parameter.id.object();
+    let is_same_row = |control: &Control, next: &Control| {
+        object(control).is_some() && object(control) == object(next)
+    };
+    let rows = exact.chunk_by(is_same_row).map(|row| {
         let fields: String = row.iter().map(Control::html).collect();
-        let words = words(&row[0]);
-        let object = escape(words.strip_prefix("of ").unwrap_or(&words));
-        format!("<div class=\"row\"><span>{object}</span>{fields}</div>")
+        let label = escape(object(&row[0]).unwrap_or(&row[0].parameter.words));
+        format!("<div class=\"row\"><span>{label}</span>{fields}</div>")
     });
     let rows: String = rows.collect();
     format!("<details class=\"exact\"><summary>Exact values</summary>{rows}</details>")
@@ -186,5 +188,10 @@ mod tests {
         let html = html(find_figure("three-cases").expect("a figure"));
         assert_eq!(html.matches("<div class=\"row\">").count(), 3);
         assert!(html.contains("<span>the start of the left ray</span>"));
+        // A parameter of the figure as a whole has a row of its own.
+        let html = super::html(find_figure("frustum").expect("a figure"));
+        for label in ["near plane", "far plane"] {
+            assert!(html.contains(&format!("<div class=\"row\"><span>{label}</span>")), "{html}");
+        }
     }
 }
