@@ -7,6 +7,7 @@
 use crate::directive::{Directive, DirectiveKind, replace_directives};
 use crate::fault::{ChapterError, ChapterResult, Fault};
 use crate::folded_box::BoxKind;
+use crate::listing::ExpandedListing;
 use crate::markdown;
 use crate::open_box::OpenBox;
 use crate::picture::{self, Interaction, Loading};
@@ -323,13 +324,9 @@ impl<'a> Chapter<'a> {
         let include =
             Directive::parse(&content).filter(|directive| directive.kind == DirectiveKind::Include);
         let html = if let Some(Directive { words, .. }) = include {
-            let listing =
-                listing::markdown(language, word, words, self.sources, &mut self.listings)?;
-            if listing.contains(listing::PLACES_ATTRIBUTE) {
-                self.wrap_block_with_tool(listing, start)
-            } else {
-                listing
-            }
+            let ExpandedListing { markdown, has_places } =
+                listing::expand_listing(language, word, words, self.sources, &mut self.listings)?;
+            if has_places { self.wrap_block_with_tool(markdown, start) } else { markdown }
         } else if language == "console" {
             console::figure_markdown(word, &content)?
         } else if language == "algorithm" {

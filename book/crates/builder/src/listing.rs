@@ -12,10 +12,15 @@ use std::ops::Range;
 use std::path::Path;
 use std::sync::LazyLock;
 
-/// The attribute of a listing in which a reader may edit something.
-pub const PLACES_ATTRIBUTE: &str = "data-places";
-
 static PLACES: LazyLock<Vec<Place>> = LazyLock::new(course::all_listed_places);
+
+/// A listing as Markdown.
+#[derive(Debug)]
+pub struct ExpandedListing {
+    pub markdown: String,
+    /// Whether there is anything in it that a reader may edit.
+    pub has_places: bool,
+}
 
 /// Returns the listing for `{{#include path}}`, or for part of a file, such as
 /// `{{#include ../../steps/step02_sphere/src/sphere.rs:..impl Sphere}}`. The caption names the
@@ -28,13 +33,13 @@ static PLACES: LazyLock<Vec<Place>> = LazyLock::new(course::all_listed_places);
 ///
 /// In a fence `rust,own_scene`, `scene` is `own_scene`: once the reader changes that scene, the
 /// page shows the scene's program instead of the file. In a fence `rust`, `scene` is empty.
-pub fn markdown(
+pub fn expand_listing(
     language: &str,
     scene: &str,
     include: &str,
     sources: &Sources,
     ids: &mut Vec<String>,
-) -> ChapterResult<String> {
+) -> ChapterResult<ExpandedListing> {
     let (target, part) = include.split_once(':').unwrap_or((include, ".."));
     let path = resolve_path(CHAPTERS, target.trim());
     let text = fs::read_to_string(sources.workspace.join(&path))
@@ -53,8 +58,9 @@ pub fn markdown(
     }
     let new_lines =
         file_of_step_before(path, &sources.workspace).map_or(vec![], |old| new_lines(&code, &old));
-    let listing = Listing { path, language, code: &code, extent, new_lines, scene };
-    Ok(listing.markdown(ids))
+    let places = places_list(path, &code);
+    let listing = Listing { path, language, code: &code, extent, new_lines, places, scene };
+    Ok(ExpandedListing { markdown: listing.markdown(ids), has_places: listing.places.is_some() })
 }
 
 /// A listing on a page.
@@ -65,6 +71,8 @@ struct Listing<'a> {
     extent: Extent,
     /// The lines, counted from 0, that the file of the same name in an earlier step doesn't have.
     new_lines: Vec<usize>,
+    /// The places in the code that a reader may edit, if there are any.
+    places: Option<String>,
     /// The editable scene whose program replaces the file on the page.
     scene: Option<&'a str>,
 }
@@ -132,8 +140,7 @@ impl Listing<'_> {
         if self.code.lines().count() <= SHORT {
             attributes.push(("data-short", String::new()));
         }
-        attributes
-            .extend(places_list(self.path, self.code).map(|places| (PLACES_ATTRIBUTE, places)));
+        attributes.extend(self.places.iter().map(|places| ("data-places", places.clone())));
         attributes.extend(self.scene.map(|scene| ("data-code", scene.to_owned())));
         let attributes = attributes.iter().map(|(name, value)| format!(" {name}=\"{value}\""));
         attributes.collect()
@@ -193,17 +200,17 @@ fn places_list(path: &str, code: &str) -> Option<String> {
 fn part_lines(part: &str, lines: &[&str]) -> ChapterResult<Range<usize>> {
     let (begin_words, end_words) =
         part.split_once("..").ok_or_else(|| ChapterError::PartForm(part.to_owned()))?;
-    let start = find_line_or_attributes(begin_words, lines, 0)?;
+    let start = find_item_start(begin_words, lines, 0)?;
     let end = match end_words {
         "" => lines.len(),
-        words => find_line_or_attributes(words, lines, start + 1)?,
+        words => find_item_start(words, lines, start + 1)?,
     };
     Ok(start..end)
 }
 
 /// Returns the index of the first line, from `start` on, that begins with these words. If there are
 /// comments or attributes directly above that line, returns the index of the first of those.
-fn find_line_or_attributes(words: &str, lines: &[&str], start: usize) -> ChapterResult<usize> {
+fn find_item_start(words: &str, lines: &[&str], start: usize) -> ChapterResult<usize> {
     let has_words = |k: &usize| lines[*k].trim_start().starts_with(words);
     let index = (start..lines.len()).find(has_words);
     let index = index.ok_or_else(|| ChapterError::UnknownLine(words.to_owned()))?;
@@ -240,7 +247,8 @@ mod tests {
 
     fn listing(code: &str, new_lines: Vec<usize>) -> Listing<'_> {
         let path = "steps/step02_sphere/src/sphere.rs";
-        Listing { path, language: "rust", code, extent: Extent::Beginning, new_lines, scene: None }
+        let extent = Extent::Beginning;
+        Listing { path, language: "rust", code, extent, new_lines, places: None, scene: None }
     }
 
     #[test]
@@ -263,6 +271,17 @@ mod tests {
         {
             assert_eq!(Extent::new(&lines, 6).words(), words, "{lines:?}");
         }
+    }
+
+    #[test]
+    fn only_code_with_a_place_has_a_list_of_places() {
+        let place = &PLACES[0];
+        let path = format!("steps/{}", place.file);
+        let list = places_list(&path, &format!("let π = {};", place.code));
+        let length = place.code.encode_utf16().count();
+        assert_eq!(list, Some(format!("{}:8:{length}", place.name)));
+        assert_eq!(places_list(&path, "let x = 1;"), None);
+        assert_eq!(places_list("Cargo.toml", place.code), None);
     }
 
     #[test]
