@@ -5,7 +5,7 @@ use figures::escape;
 
 /// The HTML of an algorithm. The name of a step, which is set off by at least two spaces, gets an
 /// element of its own, so that the style can put it below its line on a narrow screen.
-pub fn html(text: &str) -> String {
+pub fn algorithm_html(text: &str) -> String {
     let lines = text.split_inclusive('\n').map(|line| match split_line(line) {
         Some((words, step)) => format!("{}<span>{}</span>", escape(words), escape(step)),
         None => escape(line),
@@ -28,7 +28,7 @@ mod tests {
     #[test]
     fn name_of_a_step_is_an_element_with_the_end_of_its_line() {
         assert_eq!(
-            html("●  a & b    step 1\n       else\n"),
+            algorithm_html("●  a & b    step 1\n       else\n"),
             "<pre class=\"algorithm\"><code>●  a &amp; b<span>    step 1\n</span>       else\n\
              </code></pre>\n"
         );

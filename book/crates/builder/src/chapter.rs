@@ -50,16 +50,16 @@ impl ExpandedChapter {
 }
 
 /// Expands the listings, formulas, figures, numbers, pictures and boxes in a chapter's `text`.
-/// `source_place_markdown` is Markdown that says where the book's source is.
+/// `source_location_markdown` is Markdown that says where the book's source is.
 pub fn expand_chapter(
     text: &str,
     sources: &Sources,
-    source_place_markdown: &str,
+    source_location_markdown: &str,
 ) -> ExpandedChapter {
     let mut chapter = Chapter {
         text,
         sources,
-        source_place_markdown,
+        source_location_markdown,
         expanded: ExpandedChapter::default(),
         expanded_end: 0,
         listings: vec![],
@@ -79,7 +79,7 @@ struct Chapter<'a> {
     /// The text as its author wrote it.
     text: &'a str,
     sources: &'a Sources,
-    source_place_markdown: &'a str,
+    source_location_markdown: &'a str,
     /// The expansion of the text up to the position `expanded_end`.
     expanded: ExpandedChapter,
     expanded_end: usize,
@@ -273,9 +273,12 @@ impl<'a> Chapter<'a> {
                 }
                 return Ok(Expansion::Keep);
             }
-            Event::Start(Tag::Image { dest_url, .. }) => {
-                picture::markdown_html(source, dest_url, self.sources, &mut self.loading)?
-            }
+            Event::Start(Tag::Image { dest_url, .. }) => picture::image_html_from_markdown(
+                source,
+                dest_url,
+                self.sources,
+                &mut self.loading,
+            )?,
             Event::InlineMath(latex) => {
                 self.replace_inline_formula(latex, range);
                 return Ok(Expansion::Done);
@@ -286,9 +289,9 @@ impl<'a> Chapter<'a> {
             Event::Text(_) | Event::Html(_) | Event::InlineHtml(_) => {
                 self.report_lone_dollar(source, range.start);
                 let Some(first) = source.find("{{#") else { return Ok(Expansion::Keep) };
-                let source_place_markdown = self.source_place_markdown;
+                let source_location_markdown = self.source_location_markdown;
                 let text = replace_directives(&source[first..], |directive| match directive.kind {
-                    DirectiveKind::OurFolder => Ok(source_place_markdown.to_owned()),
+                    DirectiveKind::OurFolder => Ok(source_location_markdown.to_owned()),
                     _ => numbers::number_html(directive, values),
                 });
                 self.replace(range.start + first..range.end, text);
@@ -328,9 +331,9 @@ impl<'a> Chapter<'a> {
                 listing::expand_listing(language, word, words, self.sources, &mut self.listings)?;
             if has_places { self.wrap_block_with_tool(markdown, start) } else { markdown }
         } else if language == "console" {
-            console::figure_markdown(word, &content)?
+            console::console_markdown(word, &content)?
         } else if language == "algorithm" {
-            algorithm::html(&content)
+            algorithm::algorithm_html(&content)
         } else if ["", "rust", "toml"].contains(&language) {
             return Err(ChapterError::TypedCode);
         } else {
@@ -352,12 +355,12 @@ impl<'a> Chapter<'a> {
         let values = &self.sources.values;
         Ok(Expansion::Replace(match kind {
             DirectiveKind::Note(kind) => {
-                self.expand_note(note::html(kind, words, values), range)?
+                self.expand_note(note::note_html(kind, words, values), range)?
             }
-            DirectiveKind::Figure => figure::html(words, values)?,
-            DirectiveKind::Check => check_form::html(words, self.sources)?,
+            DirectiveKind::Figure => figure::drawing_html(words, values)?,
+            DirectiveKind::Check => check_form::check_form_html(words, self.sources)?,
             DirectiveKind::Mistakes => {
-                mistake_gallery::markdown(words, self.sources, &mut self.loading)?
+                mistake_gallery::gallery_markdown(words, self.sources, &mut self.loading)?
             }
             DirectiveKind::Problem if self.open_box.is_some() => {
                 return Err(ChapterError::ProblemInBox);
@@ -445,7 +448,7 @@ impl<'a> Chapter<'a> {
     fn begin_problem(&mut self, words: &str, range: &Range<usize>) {
         let (heading, html) = match Heading::parse(words) {
             Ok(heading) => {
-                let html = format!("\n{}\n", heading.html());
+                let html = format!("\n{}\n", heading.opening_html());
                 (Some(heading), Ok(html))
             }
             Err(error) => (None, Err(error)),
@@ -528,7 +531,8 @@ impl<'a> Chapter<'a> {
     ) -> ChapterResult<String> {
         let mut figures = String::new();
         for [markdown, file, caption] in pictures {
-            let image = picture::markdown_html(markdown, file, self.sources, &mut self.loading)?;
+            let image =
+                picture::image_html_from_markdown(markdown, file, self.sources, &mut self.loading)?;
             figures += &picture::figure_html(&image, caption, interaction, &self.sources.values)?;
         }
         if pictures.len() > 1 {

@@ -8,7 +8,7 @@ use crate::fault::{ChapterError, ChapterResult};
 ///
 /// The form is hidden until book/theme/check_form.js shows it, since it doesn't work without
 /// scripts.
-pub fn html(name: &str, sources: &Sources) -> ChapterResult<String> {
+pub fn check_form_html(name: &str, sources: &Sources) -> ChapterResult<String> {
     let mut scene_field = "";
     let (name, words) = match name {
         "" => {

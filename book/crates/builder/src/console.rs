@@ -4,7 +4,7 @@ use crate::fault::{ChapterError, ChapterResult};
 use figures::escape;
 
 /// Returns commands under a caption that says in which folder to type them, the reader's or ours.
-pub fn figure_markdown(folder: &str, commands: &str) -> ChapterResult<String> {
+pub fn console_markdown(folder: &str, commands: &str) -> ChapterResult<String> {
     let caption = match folder {
         "yours" | "yours,refused" | "yours,fails" => "in your folder",
         "ours" => "in <a href=\"how.html#two-folders\">our folder</a>",
@@ -27,15 +27,15 @@ mod tests {
 
     #[test]
     fn prompt_is_marked_in_each_line() {
-        let html = figure_markdown("yours", "$ a > b\n$ c").expect("a console");
+        let html = console_markdown("yours", "$ a > b\n$ c").expect("a console");
         assert!(html.contains("<code><span>$ </span>a &gt; b\n<span>$ </span>c</code>"), "{html}");
         assert!(html.contains("in your folder"));
     }
 
     #[test]
     fn folder_is_ours_or_yours() {
-        let html = figure_markdown("yours,fails", "$ a").expect("a console");
+        let html = console_markdown("yours,fails", "$ a").expect("a console");
         assert!(html.contains("data-folder=\"yours fails\""), "{html}");
-        assert!(matches!(figure_markdown("theirs", "$ a"), Err(ChapterError::ConsoleForm)));
+        assert!(matches!(console_markdown("theirs", "$ a"), Err(ChapterError::ConsoleForm)));
     }
 }

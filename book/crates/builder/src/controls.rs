@@ -18,7 +18,7 @@ const RESET: &str = "<button type=\"button\" class=\"reset\" disabled>Reset</but
 ///
 /// The controls stay hidden if no script can make the figure interactive. Otherwise they are
 /// visible from the start, and work as soon as the module has loaded; see book/theme/figure.js.
-pub fn html(figure: &Figure) -> String {
+pub fn controls_html(figure: &Figure) -> String {
     let (mut exact, mut above, mut below) = (vec![], String::new(), String::new());
     for parameter in &figure.parameters {
         let control = Control { figure, parameter };
@@ -185,11 +185,11 @@ mod tests {
 
     #[test]
     fn exact_values_have_a_row_for_each_object() {
-        let html = html(find_figure("three-cases").expect("a figure"));
+        let html = controls_html(find_figure("three-cases").expect("a figure"));
         assert_eq!(html.matches("<div class=\"row\">").count(), 3);
         assert!(html.contains("<span>the start of the left ray</span>"));
         // A parameter of the figure as a whole has a row of its own.
-        let html = super::html(find_figure("frustum").expect("a figure"));
+        let html = controls_html(find_figure("frustum").expect("a figure"));
         for label in ["near plane", "far plane"] {
             assert!(html.contains(&format!("<div class=\"row\"><span>{label}</span>")), "{html}");
         }

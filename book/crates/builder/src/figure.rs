@@ -7,7 +7,7 @@ use crate::values::Values;
 use figures::{Content, find_figure};
 
 /// The HTML of the drawing called `name`, with its caption and its controls.
-pub fn html(name: &str, values: &Values) -> ChapterResult<String> {
+pub fn drawing_html(name: &str, values: &Values) -> ChapterResult<String> {
     let figure = find_figure(name).ok_or_else(|| ChapterError::UnknownFigure(name.to_owned()))?;
     let Content::Drawing { title, caption, draw } = figure.content else {
         return Err(ChapterError::UnknownFigure(name.to_owned()));
@@ -15,7 +15,7 @@ pub fn html(name: &str, values: &Values) -> ChapterResult<String> {
     let (live, controls) = match figure.followed {
         Some(followed) => (format!(" data-companion=\"{followed}\""), String::new()),
         None if figure.parameters.is_empty() => Default::default(),
-        None => (format!(" data-live=\"{name}\""), controls::html(figure)),
+        None => (format!(" data-live=\"{name}\""), controls::controls_html(figure)),
     };
     Ok(format!(
         "<figure class=\"drawing\" id=\"figure-{name}\"{live}>{}{controls}\

@@ -13,7 +13,11 @@ use figures::escape;
 /// The Markdown for `{{#mistakes step01_rays}}`: first a contact sheet of the mistakes that show in
 /// that step's picture, then a section for each mistake, with its picture, our picture, their
 /// difference, the diff, and the reason.
-pub fn markdown(name: &str, sources: &Sources, loading: &mut Loading) -> ChapterResult<String> {
+pub fn gallery_markdown(
+    name: &str,
+    sources: &Sources,
+    loading: &mut Loading,
+) -> ChapterResult<String> {
     let step = Step::from_name(name).ok_or_else(|| ChapterError::UnknownStep(name.to_owned()))?;
     let (mut items, mut sections) = (String::new(), String::new());
     for mistake in mistakes() {
@@ -25,7 +29,8 @@ pub fn markdown(name: &str, sources: &Sources, loading: &mut Loading) -> Chapter
         };
         let (title, source) =
             (title_html(mistake, &sources.values)?, format!("generated/mistake-{name}.png"));
-        let picture = picture::html(&shown.effect.replace('`', ""), &source, sources, loading)?;
+        let picture =
+            picture::image_html(&shown.effect.replace('`', ""), &source, sources, loading)?;
         items += &format!("- [{picture} {title}](#{name})\n");
         sections += &format!(
             "\n### {title} {{#{name}}}\n\n{}\n\n{}\n\n{}\n",
@@ -63,8 +68,8 @@ fn panels_html(
 ) -> ChapterResult<String> {
     let ours = format!("generated/{}", small_picture_name(step));
     let alt = format!("The picture of step {} with this mistake.", step.number());
-    let wrong = picture::html(&alt, yours, sources, loading)?;
-    let right = picture::html("The right picture.", &ours, sources, loading)?;
+    let wrong = picture::image_html(&alt, yours, sources, loading)?;
+    let right = picture::image_html("The right picture.", &ours, sources, loading)?;
     let lazy = Loading::InView.attribute();
     Ok(format!(
         "<div class=\"panels\"><span data-label=\"Yours\">{wrong}</span>\

@@ -24,7 +24,7 @@ pub enum NoteKind {
 }
 
 /// The HTML of a note: `{{#note words}}`, `{{#rust words}}` or `{{#by-hand test}}`.
-pub fn html(kind: NoteKind, words: &str, values: &Values) -> ChapterResult<String> {
+pub fn note_html(kind: NoteKind, words: &str, values: &Values) -> ChapterResult<String> {
     let (class, label) = match kind {
         NoteKind::Note => ("note", ""),
         NoteKind::Rust => ("note rust", "<strong>New Rust here</strong> "),

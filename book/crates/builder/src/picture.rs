@@ -53,7 +53,7 @@ pub fn load_all_pictures(html: &str) -> String {
 
 /// The HTML of `![alt text](generated/name.png "Caption")`, without the caption. The alt text of a
 /// mistake's picture comes from the list of mistakes.
-pub fn markdown_html(
+pub fn image_html_from_markdown(
     markdown: &str,
     source: &str,
     sources: &Sources,
@@ -63,7 +63,12 @@ pub fn markdown_html(
     let end = format!("]({source}");
     let alt = markdown.trim_start_matches("![").split(&end);
     let alt: Vec<_> = alt.take(1).flat_map(str::split_whitespace).collect();
-    html(&mistake_effect_of_picture(source).unwrap_or(alt.join(" ")), source, sources, loading)
+    image_html(
+        &mistake_effect_of_picture(source).unwrap_or(alt.join(" ")),
+        source,
+        sources,
+        loading,
+    )
 }
 
 /// Returns what the list of mistakes says about a mistake's picture, or None for any other picture.
@@ -76,7 +81,7 @@ fn mistake_effect_of_picture(source: &str) -> Option<String> {
 }
 
 /// The HTML of a picture with this alt text, including the picture's width and height.
-pub fn html(
+pub fn image_html(
     alt: &str,
     source: &str,
     sources: &Sources,
@@ -114,7 +119,7 @@ pub fn figure_html(
     let (data, controls_html) = match interaction {
         None => Default::default(),
         Some(Interaction::Live(figure)) => {
-            (format!(" data-live=\"{}\"", figure.name), controls::html(figure))
+            (format!(" data-live=\"{}\"", figure.name), controls::controls_html(figure))
         }
         Some(Interaction::Preview(figure)) => {
             (format!(" data-preview=\"{}\"", figure.name), controls::preview_html(figure))
@@ -137,7 +142,7 @@ mod tests {
         let mut sources = Sources::read(&workspace()).expect("the sources");
         let fault = |sources: &Sources, name: &str| {
             let source = format!("generated/{name}.png");
-            let html = html("A picture.", &source, sources, &mut Loading::AtOnce);
+            let html = image_html("A picture.", &source, sources, &mut Loading::AtOnce);
             html.err().map(|error| error.to_string())
         };
         assert_eq!(fault(&sources, "mistake-first-in-list"), None);

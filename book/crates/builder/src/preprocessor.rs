@@ -36,24 +36,28 @@ impl Preprocessor for ChapterPreprocessor {
     fn run(&self, context: &PreprocessorContext, mut book: Book) -> Result<Book> {
         // A published book links to the repository. A book that was built at home doesn't name the
         // folder it was built in, since it may be copied elsewhere.
-        let source_place_markdown =
+        let source_location_markdown =
             match context.config.get::<String>("output.html.git-repository-url")? {
                 Some(url) => format!("at [{url}]({url}): get it with `git clone {url}`"),
                 None => {
                     "where this book was built, the folder with `steps` and `book` in it".to_owned()
                 }
             };
-        expand_chapters(&mut book, &self.0, &source_place_markdown)?;
+        expand_chapters(&mut book, &self.0, &source_location_markdown)?;
         Ok(book)
     }
 }
 
 /// Expands all chapters in place, or reports the faults in all of them.
-fn expand_chapters(book: &mut Book, sources: &Sources, source_place_markdown: &str) -> Result<()> {
+fn expand_chapters(
+    book: &mut Book,
+    sources: &Sources,
+    source_location_markdown: &str,
+) -> Result<()> {
     let (mut chapters, mut problems, mut faults) = (BTreeMap::new(), vec![], vec![]);
     for chapter in book.chapters() {
         let mut expanded =
-            chapter::expand_chapter(&chapter.content, sources, source_place_markdown);
+            chapter::expand_chapter(&chapter.content, sources, source_location_markdown);
         let file = chapter.source_path.as_deref().unwrap_or(Path::new(""));
         let in_file = |fault: &Fault| format!("{CHAPTERS}{}:{fault}", file.display());
         faults.extend(expanded.faults.iter().map(in_file));

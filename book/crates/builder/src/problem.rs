@@ -33,7 +33,7 @@ impl Heading {
 
     /// The HTML that begins the problem. In the browser, book/theme/book.js compares the reader's
     /// number with the answer: exactly if the answer is a whole number, otherwise within 1 %.
-    pub fn html(&self) -> String {
+    pub fn opening_html(&self) -> String {
         let (number, answer) = (&self.number, self.answer_digits());
         let tolerance = if answer.contains('.') { 0.01 } else { 0.0 };
         format!(
@@ -131,7 +131,7 @@ pub fn sheet_markdown(
     for (title, chapter) in chapters.iter().filter(|(_, problems)| !problems.is_empty()) {
         problems += &format!("## {}\n\n", title.trim_end_matches(": practice"));
         for Problem { heading, text, result, .. } in chapter {
-            problems += &format!("{}\n{text}\n\n</section>\n\n", heading.html());
+            problems += &format!("{}\n{text}\n\n</section>\n\n", heading.opening_html());
             let number = &heading.number;
             let link = format!("<a href=\"#problem-{number}\">{number}</a>");
             answers += &format!("<div class=\"answer\">{link}\n\n{result}\n\n</div>\n\n");
@@ -156,7 +156,7 @@ mod tests {
 
     #[test]
     fn whole_number_has_no_tolerance() {
-        let html = |words| Heading::parse(words).expect("a heading").html();
+        let html = |words| Heading::parse(words).expect("a heading").opening_html();
         assert!(html("8 1,234").contains("data-answer=\"1234\" data-tolerance=\"0\""));
         assert!(html("7 0.5").contains("data-answer=\"0.5\" data-tolerance=\"0.01\""));
     }

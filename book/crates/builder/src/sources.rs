@@ -51,11 +51,11 @@ impl Sources {
         for name in MODULES {
             let module = fs::read(workspace.join(format!("book/crates/page/{name}.wasm")))
                 .with_context(|| format!("the module {name}.wasm can't be read"))?;
-            insert_script(files, &format!("{name}-module"), &module);
+            insert_bytes_as_script(files, &format!("{name}-module"), &module);
         }
         files.extend(figure_file::svg_files(workspace)?);
         let texts = course::mistake_texts().map(|texts| texts.join()).unwrap_or_default();
-        insert_script(files, "mistakes", texts.as_bytes());
+        insert_bytes_as_script(files, "mistakes", texts.as_bytes());
         Ok(Self { workspace: workspace.to_owned(), generated, values: Values::default() })
     }
 
@@ -73,7 +73,7 @@ pub fn small_picture_name(step: Step) -> String {
 
 /// Inserts a script that contains these bytes. A page that was opened from a folder can load
 /// scripts but no other files, so data has to come as a script.
-fn insert_script(files: &mut BTreeMap<String, Vec<u8>>, name: &str, bytes: &[u8]) {
+fn insert_bytes_as_script(files: &mut BTreeMap<String, Vec<u8>>, name: &str, bytes: &[u8]) {
     let bytes = BASE64_STANDARD.encode(bytes);
     let script = format!("book.modules.provide(\"{name}\", \"{bytes}\");\n");
     files.insert(format!("{name}.js"), script.into_bytes());

@@ -139,7 +139,7 @@ impl Sheet {
         // same scene get the same pixel.
         let pixels_to_skip = fnv_1a(tables.concat().concat().concat().bytes()) % 10_000;
         let pixel = find_problem_pixel(&scene, pixels_to_skip as usize);
-        let (problems, answers) = pixel.map(|pixel| pixel.problems(&scene)).unwrap_or_default();
+        let (problems, answers) = pixel.map(|pixel| pixel.problems_and_answers(&scene)).unwrap_or_default();
         Self {
             name: escape_for_terminal(name.trim()),
             tables,
@@ -250,7 +250,7 @@ impl ProblemPixel {
     }
 
     /// Returns the problems, and their answers in the same order.
-    fn problems(&self, scene: &StepScene) -> (Vec<String>, Vec<String>) {
+    fn problems_and_answers(&self, scene: &StepScene) -> (Vec<String>, Vec<String>) {
         let (objects, lights) = (&scene.own.scene.objects, &scene.own.scene.lights);
         let Self { pixel: (i, j), ray, balls, visible } = self;
         let name = |hit: &ObjectHit| objects[hit.object].name;
