@@ -73,7 +73,7 @@ pub enum ChapterError {
     LoneDollarInWords,
     #[error("{0} can't be used in a formula")]
     DirectiveInFormula(String),
-    #[error("the number {0} can't be used at this place in a formula")]
+    #[error("the number {0} can't be used in this part of a formula")]
     NumberInFormula(String),
     #[error("{0} can't be used in code")]
     NumberInCode(String),

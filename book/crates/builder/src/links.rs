@@ -116,7 +116,7 @@ fn is_for_script(page: &Page, id: &str) -> bool {
         Some(("line", words)) => {
             let place = format!("{}:", words.split(':').next().unwrap_or_default());
             page.attribute_values("data-places")
-                .any(|places| places.split(' ').any(|one| one.starts_with(&place)))
+                .any(|places| places.split(' ').any(|entry| entry.starts_with(&place)))
         }
         Some(("scene", address)) => {
             let is_here = page.attribute_values("data-live").any(|name| name == "own_scene");

@@ -76,7 +76,8 @@ fn mistake_effect_of_picture(source: &str) -> Option<String> {
     let name = source.strip_prefix("generated/mistake-")?.strip_suffix(".png")?;
     let all = mistakes();
     let mut shown = all.iter().filter_map(|mistake| mistake.shown.as_ref());
-    let mistake = shown.find(|one| one.pictures.iter().any(|picture| picture.name == name))?;
+    let mistake =
+        shown.find(|mistake| mistake.pictures.iter().any(|picture| picture.name == name))?;
     Some(mistake.effect.replace('`', ""))
 }
 

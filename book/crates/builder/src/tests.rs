@@ -53,7 +53,7 @@ fn directives_of_the_chapters_are_listed_and_expanded_above() {
 }
 
 #[test]
-fn each_fault_is_told_with_its_line() {
+fn each_fault_is_reported_with_its_line() {
     let faults = list_faults(include_str!("tests/faults.md"));
     // The message for a missing file differs between systems.
     let not_found = io::Error::from_raw_os_error(2).to_string();

@@ -108,7 +108,7 @@ fn measured_count(name: &str) -> Option<usize> {
 
 /// The R_d of the object with this name in the scene.
 fn diffuse_reflectance_text(object: &str) -> Option<String> {
-    let object = scene().objects.into_iter().find(|one| one.name == object)?;
+    let object = scene().objects.into_iter().find(|candidate| candidate.name == object)?;
     let [r, g, b] = object.material.matte.diffuse.to_array();
     Some(format!("({r}, {g}, {b})"))
 }

@@ -165,7 +165,8 @@ impl Answer {
     /// is right.
     pub(crate) fn summary(&self) -> String {
         let headline = (self.verdict != Verdict::Right).then_some(&self.headline);
-        let sentences: Vec<_> = self.file_notes.iter().chain(headline).map(|one| &**one).collect();
+        let sentences: Vec<_> =
+            self.file_notes.iter().chain(headline).map(|sentence| &**sentence).collect();
         sentences.join(" ")
     }
 

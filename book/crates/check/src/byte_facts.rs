@@ -26,12 +26,13 @@ pub(crate) fn byte_sentences(comparison: &Comparison) -> Vec<String> {
     };
     for (k, name) in ["red", "green", "blue"].into_iter().enumerate() {
         let words = format!("has our {name} in all three bytes");
-        add_if(&words, &|one| one.yours == [one.ours[k]; 3]);
+        add_if(&words, &|pixel| pixel.yours == [pixel.ours[k]; 3]);
     }
-    add_if("has the colour of a neighbour in ours", &|one| {
+    add_if("has the colour of a neighbour in ours", &|pixel| {
         let ours = &comparison.target.picture;
-        neighbours(one.position)
-            .any(|(i, j)| ours.get_pixel_checked(i, j).is_some_and(|colour| colour.0 == one.yours))
+        neighbours(pixel.position).any(|(i, j)| {
+            ours.get_pixel_checked(i, j).is_some_and(|colour| colour.0 == pixel.yours)
+        })
     });
     sentences
 }
@@ -76,7 +77,7 @@ pub(crate) fn byte_map_sentence(comparison: &Comparison, scene: &StepScene) -> O
 /// Whether only the sky or only the objects differ. Then it may be their colours that are wrong,
 /// and not the conversion to bytes.
 fn is_sky_or_objects_alone(comparison: &Comparison, scene: &StepScene) -> bool {
-    let wrong_sky = comparison.wrong.iter().filter(|one| one.hit.is_none()).count();
+    let wrong_sky = comparison.wrong.iter().filter(|pixel| pixel.hit.is_none()).count();
     scene.step > Step::Rays && [0, comparison.wrong.len()].contains(&wrong_sky)
 }
 

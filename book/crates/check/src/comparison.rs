@@ -56,8 +56,8 @@ impl<'a> Comparison<'a> {
             Pixel { position: (i, j), ray, hit, yours, ours }
         };
         let pixels = scattered_positions((columns, rows)).map(pixel);
-        let (right, wrong): (Vec<_>, Vec<_>) = pixels.partition(|one| one.yours == one.ours);
-        let farthest = *wrong.iter().max_by_key(|one| one.largest_difference())?;
+        let (right, wrong): (Vec<_>, Vec<_>) = pixels.partition(|pixel| pixel.yours == pixel.ours);
+        let farthest = *wrong.iter().max_by_key(|pixel| pixel.largest_difference())?;
         Some(Self { target, wrong, right, farthest })
     }
 

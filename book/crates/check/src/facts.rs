@@ -59,13 +59,13 @@ fn is_varied(wrong: &[Pixel]) -> bool {
 
 /// Whether each pixel has an intensity in our picture that is too large for a byte.
 fn are_above_1(pixels: &[Pixel], scene: &StepScene) -> bool {
-    pixels.iter().all(|one| scene.colour(&one.ray).max_element() > 1.0)
+    pixels.iter().all(|pixel| scene.colour(&pixel.ray).max_element() > 1.0)
 }
 
 /// Names the light that is missing from every wrong pixel: the smallest set of terms that we have
 /// to leave out of our sum to get your colours. Returns None if there is no such set.
 fn missing_light_sentence(wrong: &[Pixel], scene: &StepScene) -> Option<String> {
-    let names_of = |term| scene.light_names.map(|one| format!("the {term} term of {one}"));
+    let names_of = |term| scene.light_names.map(|light| format!("the {term} term of {light}"));
     let ambient = ["the ambient term".to_owned()];
     let names = [&ambient[..], &names_of("diffuse"), &names_of("specular")].concat();
     let count = match scene.step {

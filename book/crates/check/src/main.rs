@@ -190,7 +190,7 @@ fn run(arguments: Arguments) -> Result<Output, Box<dyn Error + Send + Sync>> {
 fn required_names(require: &[String]) -> Vec<&'static str> {
     names_of_right_pictures()
         .into_iter()
-        .filter(|name| require.iter().any(|one| one == name))
+        .filter(|name| require.iter().any(|required| required == name))
         .collect()
 }
 

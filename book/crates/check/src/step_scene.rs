@@ -66,9 +66,9 @@ impl StepScene {
 
     /// The first hit on each object along a ray, even if another object hides it.
     pub fn object_hits(&self, ray: &Ray) -> impl Iterator<Item = ObjectHit> {
-        self.own.scene.objects.iter().enumerate().filter_map(|(object, one)| {
-            let t = one.sphere.intersect(ray).first_hit()?;
-            Some(ObjectHit { t, object })
+        self.own.scene.objects.iter().enumerate().filter_map(|(k, object)| {
+            let t = object.sphere.intersect(ray).first_hit()?;
+            Some(ObjectHit { t, object: k })
         })
     }
 

@@ -176,9 +176,10 @@ fn answers_about_colours_are_as_locked() {
     };
     let nearer_by_half = draw(|ray| {
         let hits = OBJECTS.iter();
-        let hits = hits.filter_map(|one| Some((one.sphere.intersect(ray).first_hit()?, one)));
+        let hits =
+            hits.filter_map(|object| Some((object.sphere.intersect(ray).first_hit()?, object)));
         let seen = hits.reduce(|best, hit| if hit.0 < best.0 - 0.5 { hit } else { best });
-        seen.map_or_else(|| direction_colour(ray), |(_, one)| one.material)
+        seen.map_or_else(|| direction_colour(ray), |(_, object)| object.material)
     });
     let brighten = |byte: u8| (u32::from(byte) * 3 / 2).min(255) as u8;
     let scene = step04_diffuse::scene();

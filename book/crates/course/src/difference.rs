@@ -49,7 +49,7 @@ mod tests {
     }
 
     #[test]
-    fn pictures_of_two_sizes_are_told_apart_by_their_sizes() {
+    fn pictures_of_two_sizes_are_distinguished_by_their_sizes() {
         let text = describe_difference(&RgbImage::new(4, 3), &RgbImage::new(2, 1));
         assert_eq!(text.as_deref(), Some("the picture is 2×1 pixels, the locked one 4×3"));
     }

@@ -283,7 +283,7 @@ mod tests {
                 let found = find_mistakes_with_hash(*hash);
                 assert!(found.contains(&(mistake, step.name())), "{}", mistake.title);
                 let is_shown = |(mistake, _): &(&Mistake, _)| mistake.shown.is_some();
-                assert!(found.is_sorted_by_key(|one| !is_shown(one)), "{}", mistake.title);
+                assert!(found.is_sorted_by_key(|entry| !is_shown(entry)), "{}", mistake.title);
             }
         }
     }

@@ -357,13 +357,13 @@ mod tests {
     fn number_that_is_set_is_read_again_and_no_other_changes() {
         for scalar in all_scalars() {
             let mut own = OwnScene::new(scene());
-            let mut expected: Vec<_> = all_scalars().map(|one| one.get(&own, 1)).collect();
+            let mut expected: Vec<_> = all_scalars().map(|scalar| scalar.get(&own, 1)).collect();
             let [min, max] = scalar.range;
             let value = if scalar.get(&own, 1) == min { max } else { min };
             scalar.set(&mut own, 1, value);
-            let index = all_scalars().position(|one| std::ptr::eq(one, scalar)).expect("a row");
+            let index = all_scalars().position(|row| std::ptr::eq(row, scalar)).expect("a row");
             expected[index] = value;
-            let values: Vec<_> = all_scalars().map(|one| one.get(&own, 1)).collect();
+            let values: Vec<_> = all_scalars().map(|scalar| scalar.get(&own, 1)).collect();
             assert_eq!(values, expected, "{}", scalar.words);
         }
     }

@@ -91,7 +91,7 @@ impl Drawing {
     /// ends there. Symbols are between dollar signs: `$V_0$` is a V with a subscript 0.
     ///
     /// Text that would be cut off at the border, or lie on an earlier label, is moved to the nearest
-    /// free place.
+    /// free position.
     pub fn label(&mut self, class: &str, position: DVec2, text: &str) {
         let position = self.nearest_free(class, position, text);
         self.labels.push(Label { class: class.into(), position, text: text.into() });

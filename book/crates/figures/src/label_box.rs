@@ -15,7 +15,7 @@ pub struct LabelBox {
 impl LabelBox {
     /// The box of a text of this class whose baseline is at `position`.
     pub fn new(class: &str, position: DVec2, text: &str) -> Self {
-        let has = |name: &str| class.split(' ').any(|one| one == name);
+        let has = |name: &str| class.split(' ').any(|word| word == name);
         // These are the sizes in the theme's css/drawing.css. Small text has the size that it gets
         // on a phone, where it is largest.
         let size = match () {

@@ -141,12 +141,12 @@ fn labels_are_inside_their_drawing_and_on_no_other_label() {
             let size = dvec2(WIDTH, drawing.height());
             let labels: Vec<_> = drawing.label_boxes().collect();
             for (k, (text, label_box)) in labels.iter().enumerate() {
-                let place = format!("{} {}: {text}", figure.name, format_address(figure, values));
+                let label = format!("{} {}: {text}", figure.name, format_address(figure, values));
                 if label_box.shift_into(size) != DVec2::ZERO {
-                    faults.push(format!("{place} is cut off"));
+                    faults.push(format!("{label} is cut off"));
                 }
                 let below = labels[..k].iter().find(|(_, other)| label_box.overlaps(other));
-                faults.extend(below.map(|(other, _)| format!("{place} overlaps {other}")));
+                faults.extend(below.map(|(other, _)| format!("{label} overlaps {other}")));
             }
         }
     }

@@ -49,7 +49,9 @@ pub fn draw_mistakes(mistakes: &[&Mistake]) -> XtaskResult<Vec<DrawnPictures>> {
         (step, image::open(path).ok().map(|picture| picture.into_rgb8()))
     };
     let mistakes = mistakes.iter().enumerate();
-    Ok(mistakes.map(|(k, one)| one.affected_steps().map(|step| read(k, step)).collect()).collect())
+    Ok(mistakes
+        .map(|(k, mistake)| mistake.affected_steps().map(|step| read(k, step)).collect())
+        .collect())
 }
 
 /// Returns the text of a mistake's file with the mistake in it, without indentation.

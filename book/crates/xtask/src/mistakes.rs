@@ -111,7 +111,9 @@ impl Table {
     fn step_pictures(&self, step: Step) -> Vec<(&'static str, &RgbImage)> {
         let shown = self.all.iter().flat_map(|(_, mistake)| mistake.pictures());
         let shown = shown.filter(|picture| picture.step == step);
-        shown.filter_map(|one| Some((one.name, self.small_pictures.get(one.name)?))).collect()
+        shown
+            .filter_map(|picture| Some((picture.name, self.small_pictures.get(picture.name)?)))
+            .collect()
     }
 
     /// Formats the table.

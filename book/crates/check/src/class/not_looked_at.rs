@@ -50,7 +50,7 @@ impl NotLookedAt {
     /// that aren't named after a picture come last. Returns None if nothing was skipped.
     pub fn clause(&self) -> Option<String> {
         let mut sorted: Vec<_> = self.first.iter().collect();
-        sorted.sort_by_key(|one| one.reason == SkipReason::OtherName);
+        sorted.sort_by_key(|file| file.reason == SkipReason::OtherName);
         let mut names: Vec<_> = sorted.iter().map(ToString::to_string).collect();
         names.truncate(MOST_IN_CLAUSE);
         let more = self.count - names.len();

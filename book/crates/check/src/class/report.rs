@@ -31,7 +31,7 @@ impl ClassReport {
         if !self.not_looked_at.is_empty() || self.students.iter().any(needs_a_person) {
             2
         } else {
-            self.students.iter().any(|one| one.points() < one.most_points()).into()
+            self.students.iter().any(|student| student.points() < student.most_points()).into()
         }
     }
 
@@ -96,7 +96,7 @@ impl ClassReport {
                     ("of", student.most_points().to_string()),
                     (
                         "notes",
-                        json::list(student.notes.iter().map(|one| json::quote(&one.words())))
+                        json::list(student.notes.iter().map(|note| json::quote(&note.words())))
                     ),
                     ("not_looked_at", not_looked_at_json(&student.not_looked_at)),
                     ("pictures", pictures_json(student)),
@@ -150,7 +150,9 @@ impl OwnReport {
         let counted = self.own.pictures.iter().filter(|picture| picture.counts);
         let is_right =
             |file: &FileReport| file.feedback.verdict == FileVerdict::Compared(Verdict::Right);
-        counted.filter(|one| !one.files.is_empty() && one.files.iter().all(is_right)).count()
+        counted
+            .filter(|picture| !picture.files.is_empty() && picture.files.iter().all(is_right))
+            .count()
     }
 }
 
@@ -231,7 +233,7 @@ fn file_json(file: &FileReport) -> String {
 }
 
 fn not_looked_at_json(not_looked_at: &NotLookedAt) -> String {
-    let first = not_looked_at.first.iter().map(|one| json::quote(&one.to_string()));
+    let first = not_looked_at.first.iter().map(|file| json::quote(&file.to_string()));
     json::object([("count", not_looked_at.count.to_string()), ("first", json::list(first))])
 }
 
@@ -252,7 +254,10 @@ fn needs_a_person(student: &StudentReport) -> bool {
 
 fn has_missing_or_unreadable(student: &StudentReport) -> bool {
     let is_unreadable = |file: &FileReport| file.feedback.verdict == FileVerdict::Unreadable;
-    student.pictures.iter().any(|one| one.files.is_empty() || one.files.iter().any(is_unreadable))
+    student
+        .pictures
+        .iter()
+        .any(|picture| picture.files.is_empty() || picture.files.iter().any(is_unreadable))
 }
 
 /// A row of the CSV.
@@ -272,7 +277,8 @@ struct CsvRow {
 
 impl CsvRow {
     fn to_line(&self) -> String {
-        let number = |number: Option<usize>| number.map(|one| one.to_string()).unwrap_or_default();
+        let number =
+            |number: Option<usize>| number.map(|number| number.to_string()).unwrap_or_default();
         let cells = [
             csv_text_cell(&self.student),
             number(self.points),

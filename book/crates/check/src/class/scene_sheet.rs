@@ -139,7 +139,8 @@ impl Sheet {
         // same scene get the same pixel.
         let pixels_to_skip = fnv_1a(tables.concat().concat().concat().bytes()) % 10_000;
         let pixel = find_problem_pixel(&scene, pixels_to_skip as usize);
-        let (problems, answers) = pixel.map(|pixel| pixel.problems_and_answers(&scene)).unwrap_or_default();
+        let (problems, answers) =
+            pixel.map(|pixel| pixel.problems_and_answers(&scene)).unwrap_or_default();
         Self {
             name: escape_for_terminal(name.trim()),
             tables,
@@ -190,14 +191,16 @@ impl Sheet {
 /// Builds the table of all numbers that belong to the objects, the lights or the scene, as they are
 /// typed in Rust.
 fn number_table(scene: &StepScene, owner: Owner) -> Vec<Vec<String>> {
-    let is_seen = |one: &&Quantity| !one.scalars.iter().any(|scalar| scalar.needs_mirrors);
-    let quantities = || QUANTITIES.iter().filter(|one| one.owner == owner).filter(is_seen);
+    let is_seen =
+        |quantity: &&Quantity| !quantity.scalars.iter().any(|scalar| scalar.needs_mirrors);
+    let quantities =
+        || QUANTITIES.iter().filter(|quantity| quantity.owner == owner).filter(is_seen);
     let names = owner_names(scene, owner).into_iter().enumerate();
     let rows = names.map(|(k, name)| {
-        let numbers = quantities().map(|one| format_quantity(one, &scene.own, k));
+        let numbers = quantities().map(|quantity| format_quantity(quantity, &scene.own, k));
         iter::once(name).chain(numbers).collect()
     });
-    let head = iter::once("").chain(quantities().map(|one| one.name)).map(str::to_owned);
+    let head = iter::once("").chain(quantities().map(|quantity| quantity.name)).map(str::to_owned);
     iter::once(head.collect()).chain(rows).collect()
 }
 

@@ -16,7 +16,7 @@ const SPHERES: [(PointId, f64); 3] = [
 const CONTENT: Content = Content::Drawing {
     title: "A ray from S passes through two spheres in front of it, and its line through a third behind it. The six values of t are marked; the smallest above 0 is the nearest hit.",
     caption: "Every $t$ on one line. Those below 0 lie behind the start. Of the others, the smallest is the hit \
-                  you see. $k$ is the sphere's place in the list, counted from 0; here it doesn't matter. \
+                  you see. $k$ is the sphere's position in the list, counted from 0; here it doesn't matter. \
                   <span class='move'>Drag another sphere in front.</span>",
     draw,
 };

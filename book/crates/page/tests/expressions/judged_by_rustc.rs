@@ -98,7 +98,7 @@ fn rustc_judges_made_lines() {
     let [d, e] = [0.75, -3.5].map(Value::F64);
     let values = vec![d, e, n, l, Value::I32(-3), Value::Bool(true)];
     let parse_type = |name| ValueType::from_name(name).expect("a type");
-    let variables = PARAMETERS.split(", ").filter_map(|one| one.split_once(": "));
+    let variables = PARAMETERS.split(", ").filter_map(|parameter| parameter.split_once(": "));
     let mut place = Place {
         index: 0,
         name: "",
