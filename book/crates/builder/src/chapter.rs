@@ -8,7 +8,7 @@ use crate::directive::{Directive, DirectiveKind, replace_directives};
 use crate::fault::{ChapterError, ChapterResult, Fault};
 use crate::folded_box::BoxKind;
 use crate::listing::ExpandedListing;
-use crate::markdown;
+use crate::markdown::{self, html_block};
 use crate::open_box::OpenBox;
 use crate::picture::{self, Interaction, Loading};
 use crate::problem::{Heading, OpenProblem, Position, Problem};
@@ -206,7 +206,7 @@ impl<'a> Chapter<'a> {
     fn open_noted_block(&mut self, start: usize) {
         if self.has_notes(start) {
             self.copy_until(start);
-            self.expanded.markdown += note::OPENING_HTML;
+            self.expanded.markdown += &note::wrapper_opening_html();
         }
     }
 
@@ -216,7 +216,7 @@ impl<'a> Chapter<'a> {
         if self.has_notes(start) {
             markdown
         } else {
-            [note::OPENING_HTML, &markdown, note::CLOSING_HTML].concat()
+            [note::wrapper_opening_html(), markdown, note::wrapper_closing_html()].concat()
         }
     }
 
@@ -230,8 +230,8 @@ impl<'a> Chapter<'a> {
         let is_inside = |block: &&Range<usize>| block.contains(&range.start);
         let block = self.noted_blocks.iter().find(is_inside);
         let block = block.ok_or(ChapterError::NoteWithoutBlock)?;
-        let closing = if block.end == range.end { note::CLOSING_HTML } else { "" };
-        html.map(|html| html + closing)
+        let is_last = block.end == range.end;
+        html.map(|html| if is_last { html + &note::wrapper_closing_html() } else { html })
     }
 
     /// Expands the part of the chapter that an event begins.
@@ -249,7 +249,7 @@ impl<'a> Chapter<'a> {
             }
             Event::Start(Tag::Paragraph) => {
                 return Ok(match self.expand_directive_or_pictures(events, range)? {
-                    Expansion::Replace(html) => Expansion::Replace(format!("\n{html}\n")),
+                    Expansion::Replace(html) => Expansion::Replace(html_block(&html)),
                     other => other,
                 });
             }
@@ -339,7 +339,7 @@ impl<'a> Chapter<'a> {
         } else {
             return numbers::fill_in_code(source, &self.sources.values);
         };
-        Ok(format!("\n{html}\n"))
+        Ok(html_block(&html))
     }
 
     /// Expands a paragraph that consists of a single directive or only of pictures.
@@ -448,7 +448,7 @@ impl<'a> Chapter<'a> {
     fn begin_problem(&mut self, words: &str, range: &Range<usize>) {
         let (heading, html) = match Heading::parse(words) {
             Ok(heading) => {
-                let html = format!("\n{}\n", heading.opening_html());
+                let html = html_block(&heading.opening_html());
                 (Some(heading), Ok(html))
             }
             Err(error) => (None, Err(error)),
@@ -466,7 +466,7 @@ impl<'a> Chapter<'a> {
                 Ok("</details>\n".to_owned())
             }
             Some(OpenBox::Panel { ends_wrapper: true, .. }) => {
-                Ok(format!("</details>\n{}", note::CLOSING_HTML))
+                Ok("</details>\n".to_owned() + &note::wrapper_closing_html())
             }
             Some(OpenBox::Problem(_)) => Err(ChapterError::MissingAnswer),
             Some(OpenBox::Answer(answer)) => {
@@ -512,8 +512,11 @@ impl<'a> Chapter<'a> {
             Some(Interaction::Live(picture)) if picture.probe().is_some() => {
                 self.missing_panel =
                     Some(MissingPanel { picture: picture.name, position: range.start });
-                let opening = if self.has_notes(range.start) { "" } else { note::OPENING_HTML };
-                opening.to_owned() + &html
+                if self.has_notes(range.start) {
+                    html
+                } else {
+                    note::wrapper_opening_html() + &html
+                }
             }
             Some(Interaction::Live(picture)) if picture.editable_scene.is_some() => {
                 self.wrap_block_with_tool(html, range.start)

@@ -1,6 +1,7 @@
 //! Commands for the reader to type, with a caption that says in which folder.
 
 use crate::fault::{ChapterError, ChapterResult};
+use crate::markdown::html_block;
 use figures::escape;
 
 /// Returns commands under a caption that says in which folder to type them, the reader's or ours.
@@ -13,12 +14,12 @@ pub fn console_markdown(folder: &str, commands: &str) -> ChapterResult<String> {
     let folder = folder.replace(',', " ");
     // The prompt gets its own element, so that the stylesheet can keep it from being copied.
     let commands = format!("\n{}", escape(commands)).replace("\n$ ", "\n<span>$ </span>");
-    Ok(format!(
-        "<figure class=\"console\" data-folder=\"{folder}\">\
-         <figcaption>{caption}</figcaption>\n\n\
-         <pre><code>{}</code></pre>\n\n</figure>\n",
-        commands.trim_start()
-    ))
+    let caption = format!(
+        "<figure class=\"console\" data-folder=\"{folder}\"><figcaption>{caption}</figcaption>"
+    );
+    // As a block of its own, it may contain blank lines.
+    let commands = format!("<pre><code>{}</code></pre>", commands.trim_start());
+    Ok([&caption, &commands, "</figure>"].map(html_block).concat())
 }
 
 #[cfg(test)]

@@ -4,7 +4,7 @@
 use crate::Sources;
 use crate::fault::{ChapterError, ChapterResult};
 use crate::files::{CHAPTERS, resolve_path};
-use crate::markdown::with_break_hints;
+use crate::markdown::{html_block, with_break_hints};
 use course::{Place, Step};
 use figures::{escape, find_figure};
 use std::fs;
@@ -118,13 +118,14 @@ impl Listing<'_> {
         let part = self.extent.words();
         let part =
             part.map_or(String::new(), |part| format!(r#" <span class="part">{part}</span>"#));
-        format!(
+        let caption = format!(
             "<figure class=\"listing\"{} style=\"{}\">\
-             <figcaption><span class=\"path\">{folder}<b>{file}</b></span>{part}</figcaption>\n\n\
-             ```{language}\n{code}\n```\n\n</figure>\n",
+             <figcaption><span class=\"path\">{folder}<b>{file}</b></span>{part}</figcaption>",
             self.attributes(ids),
             self.style(),
-        )
+        );
+        let fence = format!("```{language}\n{code}\n```\n");
+        html_block(&caption) + &fence + &html_block("</figure>")
     }
 
     fn attributes(&self, ids: &mut Vec<String>) -> String {

@@ -37,6 +37,12 @@ pub fn inline_html(markdown: &str, values: &Values) -> ChapterResult<String> {
     numbers::fill_in_text(&text.replace('\n', " "), values)
 }
 
+/// Writes HTML as a block of Markdown. Without the blank lines, a paragraph before it would go on,
+/// and Markdown after it would be taken for HTML.
+pub fn html_block(html: &str) -> String {
+    format!("\n{}\n\n", html.trim_end())
+}
+
 /// The HTML of a name in code, which may be broken in a narrow column.
 pub fn code_with_break_hints(code: &str) -> String {
     format!("<code>{}</code>", with_break_hints(code))

@@ -3,7 +3,7 @@
 
 use crate::Sources;
 use crate::fault::{ChapterError, ChapterResult};
-use crate::markdown::inline_html;
+use crate::markdown::{html_block, inline_html};
 use crate::picture::{self, Loading};
 use crate::sources::small_picture_name;
 use crate::values::Values;
@@ -32,14 +32,13 @@ pub fn gallery_markdown(
         let picture =
             picture::image_html(&shown.effect.replace('`', ""), &source, sources, loading)?;
         items += &format!("- [{picture} {title}](#{name})\n");
-        sections += &format!(
-            "\n### {title} {{#{name}}}\n\n{}\n\n{}\n\n{}\n",
-            panels_html(&source, step, sources, loading)?,
-            changed_lines_html(mistake),
-            reason_markdown(mistake, shown, &sources.values)?,
-        );
+        sections += &format!("### {title} {{#{name}}}\n");
+        sections += &html_block(&panels_html(&source, step, sources, loading)?);
+        sections += &html_block(&changed_lines_html(mistake));
+        sections += &(reason_markdown(mistake, shown, &sources.values)? + "\n\n");
     }
-    Ok(format!("<div class=\"contacts\">\n\n{items}\n</div>\n{sections}"))
+    let [begin, end] = ["<div class=\"contacts\">", "</div>"].map(html_block);
+    Ok([begin, items, end, sections].concat())
 }
 
 /// Explains why a mistake is wrong, with a link to the section about it.

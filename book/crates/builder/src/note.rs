@@ -2,15 +2,20 @@
 
 use crate::directive::{Directive, DirectiveKind};
 use crate::fault::ChapterResult;
-use crate::markdown;
+use crate::markdown::{self, html_block};
 use crate::values::Values;
 use mdbook_markdown::pulldown_cmark::{Event, Tag};
 use std::ops::Range;
 
 /// Opens the wrapper around a block and the notes that stand beside it.
-pub const OPENING_HTML: &str = "<div class=\"with-margin\">\n\n";
+pub fn wrapper_opening_html() -> String {
+    html_block("<div class=\"with-margin\">")
+}
+
 /// Closes that wrapper after the last note.
-pub const CLOSING_HTML: &str = "\n</div>\n\n";
+pub fn wrapper_closing_html() -> String {
+    html_block("</div>")
+}
 
 /// The kinds of notes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -2,6 +2,7 @@
 
 use crate::fault::{ChapterError, ChapterResult};
 use crate::folded_box::{self, BoxKind};
+use crate::markdown::html_block;
 use crate::values::Values;
 
 /// The maximum number of words in a problem's text.
@@ -131,14 +132,17 @@ pub fn sheet_markdown(
     for (title, chapter) in chapters.iter().filter(|(_, problems)| !problems.is_empty()) {
         problems += &format!("## {}\n\n", title.trim_end_matches(": practice"));
         for Problem { heading, text, result, .. } in chapter {
-            problems += &format!("{}\n{text}\n\n</section>\n\n", heading.opening_html());
+            problems += &html_block(&heading.opening_html());
+            problems += &format!("{text}\n{}", html_block("</section>"));
             let number = &heading.number;
             let link = format!("<a href=\"#problem-{number}\">{number}</a>");
-            answers += &format!("<div class=\"answer\">{link}\n\n{result}\n\n</div>\n\n");
+            answers += &html_block(&format!("<div class=\"answer\">{link}"));
+            answers += &format!("{result}\n{}", html_block("</div>"));
         }
     }
     let answer_box = folded_box::opening_html(BoxKind::Answer, "to each problem", values)?;
-    Ok(format!("{problems}## Answers {{#answers}}\n\n{answer_box}\n{answers}</details>\n"))
+    let answers = [html_block(&answer_box), answers, html_block("</details>")].concat();
+    Ok(format!("{problems}## Answers {{#answers}}\n{answers}"))
 }
 
 #[cfg(test)]
