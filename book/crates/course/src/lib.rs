@@ -54,7 +54,7 @@ mod ungated_colour;
 pub use named_scene::named_scene;
 pub use own_scene::OwnScene;
 pub use scene_program::format_scene_program;
-pub use scene_quantity::{CHANNELS, COORDINATES, Owner, QUANTITIES, Quantity, Scalar, Typed};
+pub use scene_quantity::{Component, GROUND, Owner, QUANTITIES, Quantity, Scalar, Typed};
 pub use ungated_colour::ungated_colour;
 
 mod difference;

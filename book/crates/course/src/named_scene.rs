@@ -1,5 +1,6 @@
 //! Generates a scene from a person's name.
 
+use crate::GROUND;
 use crate::hash::fnv_1a;
 use glam::DVec3;
 use step05_phong::{Light, Material, Matte, OBJECTS, Scene, scene};
@@ -29,9 +30,9 @@ pub fn named_scene(name: &str) -> Scene<Material, Light> {
     };
     let mut scene = scene();
     let side = DVec3::new([1.0, -1.0][choose(2)], 1.0, 1.0);
-    for (object, name) in scene.objects.iter_mut().zip(NAMES) {
+    for (k, (object, name)) in scene.objects.iter_mut().zip(NAMES).enumerate() {
         object.name = name;
-        if name == "ground" {
+        if k == GROUND {
             continue;
         }
         object.sphere.centre *= side;

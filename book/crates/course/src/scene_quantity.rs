@@ -52,18 +52,49 @@ pub struct Scalar {
     pub words: &'static str,
     /// The unit, such as °, or an empty string.
     pub unit: &'static str,
-    /// The smallest and the largest value that a page offers.
-    pub range: [f64; 2],
+    /// The smallest and the largest value that a page offers, except for the ground.
+    range: [f64; 2],
     /// The range for the ground, the largest sphere, if it differs.
-    pub ground_range: Option<[f64; 2]>,
+    ground_range: Option<[f64; 2]>,
     /// The number of values per unit that a page offers.
     pub steps_per_unit: f64,
     /// Whether the number has an effect only in a scene with shadows and mirrors.
     pub needs_mirrors: bool,
+    /// Which component of its owner's position or colour this is. None for all other numbers,
+    /// among them the position of the camera, which has two points, and the colour of highlights.
+    pub component: Option<Component>,
     property: Property,
     /// The axis or channel, for a property that has three numbers; otherwise 0.
     axis: usize,
 }
+
+/// A component of the position of an object or a light, or a component of a colour.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Component {
+    /// To the right.
+    X,
+    /// Upwards.
+    Y,
+    /// Towards the camera of the five steps.
+    Z,
+    /// The red channel.
+    Red,
+    /// The green channel.
+    Green,
+    /// The blue channel.
+    Blue,
+}
+
+impl Component {
+    /// The components of a position.
+    pub const OF_POSITION: [Self; 3] = [Self::X, Self::Y, Self::Z];
+    /// The components of a colour.
+    pub const OF_COLOUR: [Self; 3] = [Self::Red, Self::Green, Self::Blue];
+}
+
+/// The index of the ground among the objects of the steps, and so among those of every scene that is
+/// made from them.
+pub const GROUND: usize = 1;
 
 /// Which property of an [`OwnScene`] a number belongs to.
 #[derive(Clone, Copy, Debug)]
@@ -88,6 +119,11 @@ enum Property {
 }
 
 impl Scalar {
+    /// The smallest and the largest value that a page offers for the owner with index `k`.
+    pub fn range(&self, k: usize) -> [f64; 2] {
+        self.ground_range.filter(|_| k == GROUND).unwrap_or(self.range)
+    }
+
     /// Reads the number from the owner with index `k`.
     pub fn get(&self, own: &OwnScene, k: usize) -> f64 {
         let (scene, axis) = (&own.scene, self.axis);
@@ -189,14 +225,14 @@ pub static QUANTITIES: &[Quantity] = &[
         name: "L_a",
         owner: Owner::Scene,
         typed: Some(LIGHT_COLOUR),
-        scalars: &rgb(Property::AmbientLight, CHANNELS, 1.0),
+        scalars: &colour(Property::AmbientLight, 1.0),
     },
     Quantity {
         name: "the position",
         owner: Owner::Object,
         typed: Some(Typed { since: Step::Sphere, range: [-50, 50], steps_per_unit: 100 }),
         scalars: &on_ground(
-            xyz(Property::Centre, COORDINATES, [[-6.0, 6.0], [-3.0, 5.0], [-16.0, 6.0]]),
+            position(Property::Centre, [[-6.0, 6.0], [-3.0, 5.0], [-16.0, 6.0]]),
             [[-20.0, 20.0], [-60.0, 0.0], [-30.0, 10.0]],
         ),
     },
@@ -225,7 +261,7 @@ pub static QUANTITIES: &[Quantity] = &[
         name: "the colour",
         owner: Owner::Object,
         typed: Some(Typed { since: Step::Nearest, range: [0, 5], steps_per_unit: 100 }),
-        scalars: &rgb(Property::ObjectColour, CHANNELS, 1.0),
+        scalars: &colour(Property::ObjectColour, 1.0),
     },
     Quantity {
         name: "k",
@@ -240,17 +276,13 @@ pub static QUANTITIES: &[Quantity] = &[
         name: "the position",
         owner: Owner::Light,
         typed: Some(Typed { since: Step::Diffuse, range: [-20, 20], steps_per_unit: 100 }),
-        scalars: &xyz(
-            Property::LightPosition,
-            COORDINATES,
-            [[-12.0, 12.0], [-6.0, 12.0], [-20.0, 6.0]],
-        ),
+        scalars: &position(Property::LightPosition, [[-12.0, 12.0], [-6.0, 12.0], [-20.0, 6.0]]),
     },
     Quantity {
         name: "L_d",
         owner: Owner::Light,
         typed: Some(LIGHT_COLOUR),
-        scalars: &rgb(Property::LightDiffuse, CHANNELS, 2.0),
+        scalars: &colour(Property::LightDiffuse, 2.0),
     },
     Quantity {
         name: "L_s",
@@ -276,11 +308,6 @@ pub static QUANTITIES: &[Quantity] = &[
 ];
 
 const CAMERA_RANGES: [[f64; 2]; 3] = [[-12.0, 12.0], [-6.0, 12.0], [-20.0, 12.0]];
-/// The names of an object's or a light's coordinates.
-pub const COORDINATES: [&str; 3] = ["sideways", "upwards", "towards you"];
-
-/// The names of a colour's channels.
-pub const CHANNELS: [&str; 3] = ["red", "green", "blue"];
 
 const LIGHT_COLOUR: Typed = Typed { since: Step::Diffuse, range: [0, 5], steps_per_unit: 100 };
 const HIGHLIGHT_COLOUR: Typed = Typed { since: Step::Phong, range: [0, 5], steps_per_unit: 100 };
@@ -300,6 +327,7 @@ const fn scalar(
         ground_range: None,
         steps_per_unit,
         needs_mirrors: false,
+        component: None,
         property,
         axis: 0,
     }
@@ -317,6 +345,26 @@ const fn xyz(
         scalar(property, "y", up, y, 100.0),
         scalar(property, "z", back, z, 100.0),
     ])
+}
+
+/// The position of an object or a light.
+const fn position(property: Property, ranges: [[f64; 2]; 3]) -> [Scalar; 3] {
+    let [x, y, z] = xyz(property, ["sideways", "upwards", "towards you"], ranges);
+    [
+        Scalar { component: Some(Component::X), ..x },
+        Scalar { component: Some(Component::Y), ..y },
+        Scalar { component: Some(Component::Z), ..z },
+    ]
+}
+
+/// The colour of an object or a light.
+const fn colour(property: Property, max: f64) -> [Scalar; 3] {
+    let [red, green, blue] = rgb(property, ["red", "green", "blue"], max);
+    [
+        Scalar { component: Some(Component::Red), ..red },
+        Scalar { component: Some(Component::Green), ..green },
+        Scalar { component: Some(Component::Blue), ..blue },
+    ]
 }
 
 /// The three channels of a colour, each from 0 to `max` in steps of a hundredth.
@@ -365,6 +413,18 @@ mod tests {
             expected[index] = value;
             let values: Vec<_> = all_scalars().map(|scalar| scalar.get(&own, 1)).collect();
             assert_eq!(values, expected, "{}", scalar.words);
+        }
+    }
+
+    #[test]
+    fn ground_has_ranges_of_its_own() {
+        assert_eq!(scene().objects[GROUND].name, "ground");
+        let radius = all_scalars().find(|scalar| matches!(scalar.property, Property::Radius));
+        let radius = radius.expect("a radius");
+        assert_eq!([radius.range(0), radius.range(GROUND)], [[0.05, 3.0], [10.0, 60.0]]);
+        // A light with the same index as the ground has the range of any light.
+        for scalar in all_scalars().filter(|scalar| scalar.ground_range.is_none()) {
+            assert_eq!(scalar.range(GROUND), scalar.range);
         }
     }
 

@@ -8,7 +8,7 @@ use crate::comparison::scattered_positions;
 use crate::escape_for_terminal;
 use crate::number_format::{format_four_decimals, format_vector_four_decimals};
 use crate::step_scene::{ObjectHit, StepScene};
-use course::{Owner, QUANTITIES, Quantity, camera, fnv_1a, is_obeyed_by_terminals};
+use course::{GROUND, Owner, QUANTITIES, Quantity, camera, fnv_1a, is_obeyed_by_terminals};
 use std::collections::HashMap;
 use std::fmt::Write;
 use std::iter;
@@ -227,7 +227,7 @@ fn find_problem_pixel(scene: &StepScene, pixels_to_skip: usize) -> Option<Proble
 /// paper would spoil the answer.
 fn problem_pixel_of_ray(scene: &StepScene, pixel: (u32, u32), ray: Ray) -> Option<ProblemPixel> {
     let objects = &scene.own.scene.objects;
-    let is_ball = |hit: &ObjectHit| objects[hit.object].name != "ground";
+    let is_ball = |hit: &ObjectHit| hit.object != GROUND;
     let visible = scene.visible_hit(&ray).filter(is_ball)?;
     let balls: Vec<_> = scene.object_hits(&ray).filter(is_ball).collect();
     let is_clear = |hit: &ObjectHit| {

@@ -52,15 +52,32 @@ fn sides() -> [Ray; 2] {
     [0.0, 1.0].map(|j| camera.ray(0.5, j))
 }
 
-/// Says how much of a sphere the two planes leave.
-fn part_between(sphere: &Sphere, [near, far]: [f64; 2]) -> &'static str {
-    let (depth, radius) = (-sphere.centre.z, sphere.radius);
-    if depth + radius <= near || depth - radius >= far {
-        "cut away"
-    } else if depth - radius >= near && depth + radius <= far {
-        "drawn"
-    } else {
-        "cut in two"
+/// What the two planes leave of a ball.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Rest {
+    None,
+    Part,
+    All,
+}
+
+impl Rest {
+    fn new(sphere: &Sphere, [near, far]: [f64; 2]) -> Self {
+        let (depth, radius) = (-sphere.centre.z, sphere.radius);
+        if depth + radius <= near || depth - radius >= far {
+            Self::None
+        } else if depth - radius >= near && depth + radius <= far {
+            Self::All
+        } else {
+            Self::Part
+        }
+    }
+
+    fn label(self) -> &'static str {
+        match self {
+            Self::None => "cut away",
+            Self::Part => "cut in two",
+            Self::All => "drawn",
+        }
     }
 }
 
@@ -79,13 +96,13 @@ fn draw(values: &ParameterValues) -> Drawing {
         drawing.label(class, upper - dvec2(0.0, 10.0), name);
     }
     for sphere in BALLS {
-        let part = part_between(&sphere, planes);
-        let class = if part == "cut away" { "behind" } else { "object" };
+        let rest = Rest::new(&sphere, planes);
+        let class = if rest == Rest::None { "behind" } else { "object" };
         let (centre, radius) = (side_view_position(sphere.centre), VIEW.scale.x * sphere.radius);
         drawing.circle(class, centre, radius);
         // The label is on the side away from the other rays.
         let below = if sphere.centre.y > 0.0 { -radius - 10.0 } else { radius + 40.0 };
-        drawing.label("quiet over", centre + dvec2(0.0, below), part);
+        drawing.label("quiet over", centre + dvec2(0.0, below), rest.label());
         let ray = Ray { start: DVec3::ZERO, direction: sphere.centre };
         if let Some(t) = sphere.intersect(&ray).first_hit() {
             drawing.line("ray", side_view_position(ray.start), side_view_position(ray.at(t)));
@@ -95,4 +112,23 @@ fn draw(values: &ParameterValues) -> Drawing {
     drawing.dot("eye", VIEW.origin);
     drawing.label("strong", VIEW.origin + dvec2(0.0, 28.0), "$C$");
     drawing
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn planes_leave_all_a_part_or_nothing_of_a_ball() {
+        let ball = Sphere { centre: DVec3::new(0.0, 0.0, -3.0), radius: 1.0 };
+        for (planes, rest) in [
+            ([1.0, 2.0], Rest::None),
+            ([1.0, 3.0], Rest::Part),
+            ([2.0, 4.0], Rest::All),
+            ([2.5, 5.0], Rest::Part),
+            ([4.0, 5.0], Rest::None),
+        ] {
+            assert_eq!(Rest::new(&ball, planes), rest, "{planes:?}");
+        }
+    }
 }

@@ -4,14 +4,14 @@
 mod parameters;
 
 use crate::{COLUMNS, Content, EditableScene, Figure, Handle, Mark, ParameterId, ParameterValues};
-use course::{CHANNELS, COORDINATES, Owner, format_scene_program};
-use parameters::{PARAMETERS, Target, complete_scene, own_scene};
+use course::{Component, Owner, format_scene_program};
+use parameters::{PARAMETERS, Target, complete_scene, component_ids, own_scene};
 use step05_phong::nearest;
 
 /// The picture of the reader's scene.
 pub fn figure() -> Figure {
     let handles = PARAMETERS.iter().filter_map(|(target, presence)| match *target {
-        Target::Presence(owner, k) => Some(handle(owner, k, presence.id)),
+        Target::Presence(owner, k) => handle(owner, k, presence.id),
         Target::Mirrors | Target::Scalar(..) => None,
     });
     let draw = |values: &ParameterValues, columns| own_scene(values).picture(columns);
@@ -38,7 +38,7 @@ pub fn figure() -> Figure {
 
 /// The handle of the sphere or light with index `k`. It exists only while the switch `presence` is
 /// on.
-fn handle(owner: Owner, k: usize, presence: ParameterId) -> Handle {
+fn handle(owner: Owner, k: usize, presence: ParameterId) -> Option<Handle> {
     let camera_and_point = move |values: &ParameterValues| {
         values.is_on(presence).then(|| {
             let own = complete_scene(values);
@@ -49,23 +49,21 @@ fn handle(owner: Owner, k: usize, presence: ParameterId) -> Handle {
             (own.camera(COLUMNS), point)
         })
     };
-    let object = presence.object().unwrap_or_default();
-    let [x, y, z] = COORDINATES.map(|words| ParameterId::of(object, words));
-    Handle {
+    let object = presence.object()?;
+    let [x, y, z] = component_ids(object, Component::OF_POSITION)?;
+    Some(Handle {
         mark: if owner == Owner::Light { Mark::Light } else { Mark::Point },
         depth: Some(z),
         presence: Some(presence),
         ..Handle::of_world_point_in_picture(object, [x, y], 0.0, camera_and_point)
-    }
+    })
 }
 
 /// The objects that have a colour, with the parameters for its channels.
 fn colours() -> Vec<(&'static str, [ParameterId; 3])> {
-    let ids: Vec<_> = PARAMETERS.iter().map(|(_, parameter)| parameter.id).collect();
-    let mut objects: Vec<_> = ids.iter().filter_map(|id| id.object()).collect();
+    let objects = PARAMETERS.iter().filter_map(|(_, parameter)| parameter.id.object());
+    let mut objects: Vec<_> = objects.collect();
     objects.dedup();
-    let objects = objects
-        .into_iter()
-        .map(|object| (object, CHANNELS.map(|channel| ParameterId::of(object, channel))));
-    objects.filter(|(_, channels)| channels.iter().all(|id| ids.contains(id))).collect()
+    let colour = |object| Some((object, component_ids(object, Component::OF_COLOUR)?));
+    objects.into_iter().filter_map(colour).collect()
 }

@@ -5,7 +5,7 @@
 use crate::{Axis, Parameter, ParameterId, ParameterValues};
 use course::examples::mirror::mirrors;
 use course::examples::own_scene::{ball, lamp};
-use course::{COORDINATES, OwnScene, Owner, QUANTITIES, Scalar};
+use course::{Component, OwnScene, Owner, QUANTITIES, Scalar};
 use std::sync::LazyLock;
 use step05_phong::{OBJECTS, scene};
 
@@ -53,20 +53,35 @@ fn scalars(
     let quantities = QUANTITIES.iter().filter(move |quantity| quantity.owner == owner);
     quantities.flat_map(|quantity| quantity.scalars).map(move |scalar| {
         let id = ParameterId::of(name, scalar.words);
-        let range = scalar.ground_range.filter(|_| name == "ground").unwrap_or(scalar.range);
-        let default = scalar.get(own, k);
+        let (range, default) = (scalar.range(k), scalar.get(own, k));
         let parameter = Parameter::number(id, scalar.words, default, range, scalar.steps_per_unit)
             .with_symbol(scalar.symbol)
             .with_unit(scalar.unit);
-        let axes = [Some(Axis::Right), Some(Axis::Up), None];
-        let coordinate = COORDINATES.iter().position(|words| *words == scalar.words);
+        let axis = match scalar.component {
+            Some(Component::X) => Some(Axis::Right),
+            Some(Component::Y) => Some(Axis::Up),
+            _ => None,
+        };
         let has_control: fn(&Parameter, &ParameterValues) -> bool = match scalar.needs_mirrors {
             true => |_, values| values.is_on(MIRRORS),
             false => |_, _| true,
         };
-        let axis = coordinate.and_then(|axis| axes[axis]);
         (Target::Scalar(scalar, k), Parameter { axis, has_control, ..parameter })
     })
+}
+
+/// The parameters for these components of an object's position or colour. Returns None if the object
+/// doesn't have them.
+pub fn component_ids(object: &str, components: [Component; 3]) -> Option<[ParameterId; 3]> {
+    let find = |component| {
+        let mut ids = PARAMETERS.iter().filter_map(|(target, parameter)| match target {
+            Target::Scalar(scalar, _) if scalar.component == Some(component) => Some(parameter.id),
+            _ => None,
+        });
+        ids.find(|id| id.object() == Some(object))
+    };
+    let [first, second, third] = components.map(find);
+    Some([first?, second?, third?])
 }
 
 /// The scene at these values, without whatever is switched off.
