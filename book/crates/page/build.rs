@@ -24,6 +24,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!("cargo::rerun-if-changed=../course/places.txt");
     println!("cargo::rerun-if-changed=../course/src");
     let places = all_listed_places();
+    // `edited_picture.rs` has one bit of a u64 for each place.
+    assert!(places.len() <= u64::BITS as usize, "places.txt has too many places for a u64");
     let out = env::var("OUT_DIR")?;
     let mut modules = String::new();
     for (name, text) in source_files()? {

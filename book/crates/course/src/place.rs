@@ -169,11 +169,6 @@ fn parse_type(name: &'static str) -> Result<ValueType, PlaceListFault> {
 }
 
 impl Place {
-    /// The name of the step that the place is in.
-    pub fn step_name(&self) -> &'static str {
-        self.file.split('/').next().unwrap_or_default()
-    }
-
     /// Finds the place's code in `text`, where it may be broken across lines.
     pub fn find_range(&self, text: &str) -> Result<Range<usize>, OccurrenceError> {
         let Self { name, file, code, .. } = *self;
@@ -282,7 +277,7 @@ misses: bool = d < 0.0
         assert_eq!((a.file, a.has_vectors), ("step02_sphere/src/sphere.rs", true));
         assert_eq!(a.variables, [("s", ValueType::Vector), ("ray.at(t)", ValueType::Vector)]);
         assert_eq!(a.notes, [PlaceNote::MethodFollows]);
-        assert_eq!((misses.index, misses.step_name()), (1, "step02_sphere"));
+        assert_eq!((misses.index, misses.file), (1, "step02_sphere/src/quadratic.rs"));
         assert_eq!((misses.has_vectors, misses.variables.len()), (false, 0));
     }
 

@@ -128,7 +128,7 @@ fn utf16_range(text: &str, bytes: &Range<usize>) -> Range<usize> {
 fn describe(edit: &EditRequest, picture: &RgbImage) -> Option<String> {
     let lines = &edit.lines;
     let (place, _) = lines.first()?;
-    let (step, hash) = (place.step_name(), hash_picture(picture));
+    let (step, hash) = (place.step().name(), hash_picture(picture));
     if hashes_of_right_pictures().any(|(name, right)| name == step && right == hash) {
         let only_moves_hit =
             |(place, _): &(Place, _)| place.notes.contains(&PlaceNote::OnlyMovesHit);
@@ -161,11 +161,11 @@ fn describe_later_steps(edit: &EditRequest) -> Option<String> {
     // Per pixel, this is eight times what a picture at full size may take, because a later step may
     // evaluate the lines for each of its nine balls.
     let operations = 8 * MAX_OPERATIONS / u64::from(DISTANCE * DISTANCE);
-    let draw = |step: &str, lines: &[Expression]| {
+    let draw = |step: Step, lines: &[Expression]| {
         draw_some_pixels(step, lines, DISTANCE, FULL_SIZE, operations)
     };
     for step in [Step::Nearest, Step::Diffuse, Step::Phong] {
-        let (number, step) = (step.number(), step.name());
+        let number = step.number();
         let picture = match draw(step, &lines) {
             Ok(picture) => picture,
             Err(LineRefusal { refusal, .. }) => match refusal.fault {

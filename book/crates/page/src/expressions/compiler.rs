@@ -3,7 +3,7 @@
 use crate::expressions::evaluation::{Expression, Interruption, Run};
 use crate::expressions::functions::{Function, find_function, remainder_operations};
 use crate::expressions::operation::{range_of, split_operation, write_tokens};
-use crate::expressions::part::{Part, literal_part};
+use crate::expressions::part::{Code, Part, compile_literal};
 use crate::expressions::refusal::{Fault, Refusal, refuse};
 use crate::expressions::refused_call::{Call, explain_mismatch, is_method};
 use crate::expressions::syntax::parse_syntax;
@@ -19,7 +19,7 @@ pub struct Compiler<'a> {
     pub text: &'a str,
     /// The values that have names: the place's variables, such as `ray.start`, and those bound by
     /// `let`.
-    pub names: Vec<(String, Part)>,
+    pub names: Vec<(String, Code)>,
 }
 
 /// Compiles what the reader wrote at a place.
@@ -27,8 +27,8 @@ pub fn parse_expression(place: &Place, text: &str) -> Result<Expression, Refusal
     let statements = parse_syntax(place, text)?;
     let mut compiler = Compiler { place, text, names: vec![] };
     for (name, value_type) in &place.variables {
-        let part = compiler.new_slot(*value_type, false);
-        compiler.names.push((name.split_whitespace().collect(), part));
+        let code = compiler.new_slot(*value_type, false);
+        compiler.names.push((name.split_whitespace().collect(), code));
     }
     let part = compiler.compile_statements(&statements, 0..text.len())?;
     if let Some(fault) = find_misfit(place, text, &statements, &part) {
@@ -37,9 +37,9 @@ pub fn parse_expression(place: &Place, text: &str) -> Result<Expression, Refusal
     Ok(Expression {
         place_index: place.index,
         place_name: place.name,
-        step_name: place.step_name(),
+        step: place.step(),
         length: text.len(),
-        run: part.run,
+        run: part.code.run,
     })
 }
 
@@ -54,9 +54,9 @@ fn find_misfit(place: &Place, text: &str, statements: &[Stmt], part: &Part) -> O
         Some(Fault::BlockAtStart)
     } else if is_or && has_note(PlaceNote::AfterAnd) {
         Some(Fault::OrAfterAnd)
-    } else if part.is_open && has_note(PlaceNote::MethodFollows) {
+    } else if part.code.is_open && has_note(PlaceNote::MethodFollows) {
         Some(Fault::OpenValue)
-    } else if part.value_type != place.value_type {
+    } else if part.code.value_type != place.value_type {
         Some(explain_mismatch("This has to be", part, text, place.value_type))
     } else {
         None
@@ -67,20 +67,20 @@ impl Compiler<'_> {
     /// Compiles any part of the line.
     pub fn compile_expression(&mut self, syntax: &Expr) -> Result<Part, Refusal> {
         let name = write_tokens(syntax);
-        let part = match self.names.iter().find(|(known, _)| *known == name) {
-            Some((_, part)) => part.clone(),
+        let code = match self.names.iter().find(|(known, _)| *known == name) {
+            Some((_, code)) => code.clone(),
             None => self.compile_unnamed(syntax)?,
         };
-        Ok(Part { range: range_of(syntax), ..part })
+        Ok(Part { code, range: range_of(syntax) })
     }
 
     /// Compiles a part that isn't just the name of a value.
-    fn compile_unnamed(&mut self, syntax: &Expr) -> Result<Part, Refusal> {
+    fn compile_unnamed(&mut self, syntax: &Expr) -> Result<Code, Refusal> {
         match syntax {
-            Expr::Lit(literal) => return literal_part(&literal.lit),
-            Expr::Paren(paren) => return self.compile_expression(&paren.expr),
+            Expr::Lit(literal) => return compile_literal(&literal.lit),
+            Expr::Paren(paren) => return Ok(self.compile_expression(&paren.expr)?.code),
             Expr::Block(block) => {
-                return self.compile_statements(&block.block.stmts, range_of(block));
+                return Ok(self.compile_statements(&block.block.stmts, range_of(block))?.code);
             }
             Expr::If(branches) => return self.compile_if(branches),
             Expr::Call(call) if call.args.is_empty() => {
@@ -106,7 +106,7 @@ impl Compiler<'_> {
             }
             return self.compile_call(Call { syntax, name: &name, name_range, parts: &parts });
         };
-        if receiver.is_open && name != "::into" {
+        if receiver.code.is_open && name != "::into" {
             let range = receiver.range.clone();
             let literal = &self.text[range.clone()];
             let is_literal = literal.starts_with(|c: char| c.is_ascii_digit());
@@ -115,50 +115,51 @@ impl Compiler<'_> {
             let fault = if is_literal { Fault::OpenLiteral { cure } } else { Fault::OpenReceiver };
             return refuse(range, fault);
         }
-        let path = receiver.value_type.name().to_owned() + &name;
+        let path = receiver.code.value_type.name().to_owned() + &name;
         let call = Call { syntax, name: &path, name_range, parts: &parts };
         match name.strip_prefix("::") {
             // An associated function such as f64::from, which isn't a method.
-            Some(name) if !is_method(receiver.value_type, name) => {
+            Some(name) if !is_method(receiver.code.value_type, name) => {
                 Err(self.explain_refused_call(call))
             }
             _ => self.compile_call(call),
         }
     }
 
-    /// A part that reads the next free slot: a variable, or a `let` whose value differs from pixel
+    /// Code that reads the next free slot, for a variable, or a `let` whose value differs from pixel
     /// to pixel.
-    pub fn new_slot(&self, value_type: ValueType, is_open: bool) -> Part {
-        let is_slot = |part: &Part| part.constant_value().is_none();
-        let slot = self.names.iter().filter(|(_, part)| is_slot(part)).count();
-        Part { run: Run::Slot(slot), value_type, is_open, range: 0..0 }
+    pub fn new_slot(&self, value_type: ValueType, is_open: bool) -> Code {
+        let is_slot = |code: &Code| code.constant_value().is_none();
+        let slot = self.names.iter().filter(|(_, code)| is_slot(code)).count();
+        Code { run: Run::Slot(slot), value_type, is_open }
     }
 
     /// Compiles a call to a function, an operator or a cast.
-    fn compile_call(&self, call: Call) -> Result<Part, Refusal> {
+    fn compile_call(&self, call: Call) -> Result<Code, Refusal> {
         let Call { name, parts, .. } = call;
         let name_range = call.name_range.clone();
-        let types: Vec<_> = parts.iter().map(|part| part.value_type).collect();
+        let types: Vec<_> = parts.iter().map(|part| part.code.value_type).collect();
         let Some(function) = find_function(name, &types) else {
             return Err(self.explain_refused_call(call));
         };
         // Rust refuses to divide by a constant 0, even if the dividend isn't constant.
-        let divisor = parts.last().and_then(Part::constant_value);
+        let divisor = parts.last().and_then(|part| part.code.constant_value());
         if ["/", "%"].contains(&name) && divisor == Some(Value::I32(0)) {
             return refuse(name_range, Fault::NoResult);
         }
         let is_operator = !name.contains(char::is_alphabetic);
-        let is_open = is_operator && parts.iter().all(|part| part.is_open);
-        let constants: Option<Vec<_>> = parts.iter().map(Part::constant_value).collect();
+        let is_open = is_operator && parts.iter().all(|part| part.code.is_open);
+        let constants: Option<Vec<_>> =
+            parts.iter().map(|part| part.code.constant_value()).collect();
         if let Some(values) = constants {
             return match (function.apply)(&values) {
-                Some(value) => Ok(Part::constant(value, is_open, 0..0)),
+                Some(value) => Ok(Code::constant(value, is_open)),
                 None => refuse(name_range, Fault::NoResult),
             };
         }
-        let runs: Vec<_> = parts.iter().map(|part| part.run.clone()).collect();
+        let runs: Vec<_> = parts.iter().map(|part| part.code.run.clone()).collect();
         let run = call_run(function, &runs, name_range);
-        Ok(Part { run, value_type: function.result, is_open, range: 0..0 })
+        Ok(Code { run, value_type: function.result, is_open })
     }
 }
 
@@ -214,7 +215,7 @@ mod tests {
         let place = Place {
             index: 0,
             name: "",
-            file: "",
+            file: "step01_rays/src/ray.rs",
             has_vectors: true,
             code: "",
             value_type,

@@ -1,6 +1,7 @@
 //! Compiled lines, and how they are evaluated.
 
 use crate::expressions::value::Value;
+use course::Step;
 use std::ops::Range;
 use std::rc::Rc;
 
@@ -10,7 +11,7 @@ pub struct Expression {
     /// The index of its place in places.txt.
     pub(super) place_index: usize,
     pub(super) place_name: &'static str,
-    pub(super) step_name: &'static str,
+    pub(super) step: Step,
     /// The length of the line, in bytes.
     pub(super) length: usize,
     pub(super) run: Run,

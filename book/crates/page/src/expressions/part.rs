@@ -10,34 +10,39 @@ use std::ops::Range;
 use syn::Lit;
 
 /// A compiled part of a line.
-#[derive(Clone)]
 pub struct Part {
-    pub run: Run,
-    pub value_type: ValueType,
-    /// Whether the part is a literal such as 2.0, or made of such literals alone, so that Rust
-    /// doesn't know its type yet. A method can't be called on such a part.
-    pub is_open: bool,
+    pub code: Code,
     /// The bytes of the line that the part was compiled from.
     pub range: Range<usize>,
 }
 
-impl Part {
-    /// A part that has this value for every pixel.
-    pub fn constant(value: Value, is_open: bool, range: Range<usize>) -> Self {
-        Self { run: Run::Constant(value), value_type: value.value_type(), is_open, range }
+/// What a part of a line is compiled to.
+#[derive(Clone)]
+pub struct Code {
+    pub run: Run,
+    pub value_type: ValueType,
+    /// Whether it comes from a literal such as 2.0, or from such literals alone, so that Rust
+    /// doesn't know its type yet. A method can't be called on such a value.
+    pub is_open: bool,
+}
+
+impl Code {
+    /// Code that has this value for every pixel.
+    pub fn constant(value: Value, is_open: bool) -> Self {
+        Self { run: Run::Constant(value), value_type: value.value_type(), is_open }
     }
 
-    /// The part's value, if it is the same for every pixel.
+    /// The value, if it is the same for every pixel.
     pub fn constant_value(&self) -> Option<Value> {
         if let Run::Constant(value) = self.run { Some(value) } else { None }
     }
 }
 
 /// Compiles a number, `true` or `false`.
-pub fn literal_part(literal: &Lit) -> Result<Part, Refusal> {
+pub fn compile_literal(literal: &Lit) -> Result<Code, Refusal> {
     let range = range_of(literal);
     let (digits, suffix) = match literal {
-        Lit::Bool(truth) => return Ok(Part::constant(Value::Bool(truth.value), false, range)),
+        Lit::Bool(truth) => return Ok(Code::constant(Value::Bool(truth.value), false)),
         Lit::Int(number) => (number.base10_digits(), number.suffix()),
         Lit::Float(number) => (number.base10_digits(), number.suffix()),
         _ => return refuse(range, Fault::Literal),
@@ -53,7 +58,7 @@ pub fn literal_part(literal: &Lit) -> Result<Part, Refusal> {
     };
     match value {
         Some(Value::F64(f64::INFINITY)) => refuse(range, Fault::BeyondF64),
-        Some(value) => Ok(Part::constant(value, suffix.is_empty(), range)),
+        Some(value) => Ok(Code::constant(value, suffix.is_empty())),
         None => refuse(
             range,
             match suffix {
@@ -82,8 +87,8 @@ mod tests {
     /// The value of a literal, and whether its type is still open.
     fn parse(text: &str) -> Result<(Value, bool), Fault> {
         let literal = syn::parse_str(text).expect("a literal");
-        let part = literal_part(&literal).map_err(|refusal| refusal.fault)?;
-        Ok((part.constant_value().expect("a constant"), part.is_open))
+        let code = compile_literal(&literal).map_err(|refusal| refusal.fault)?;
+        Ok((code.constant_value().expect("a constant"), code.is_open))
     }
 
     #[test]

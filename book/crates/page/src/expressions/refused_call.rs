@@ -33,7 +33,7 @@ const NO_METHODS: [&str; 4] = ["from", "from_array", "new", "splat"];
 /// Explains why a value doesn't fit where another type is wanted. `subject` begins the sentence.
 pub fn explain_mismatch(subject: &str, part: &Part, text: &str, wanted: ValueType) -> Fault {
     use ValueType::{Array, Bool, F64, I32, Vector};
-    let (actual, text) = (part.value_type, &text[part.range.clone()]);
+    let (actual, text) = (part.code.value_type, &text[part.range.clone()]);
     let cure = match (actual, wanted) {
         (I32, F64 | Vector) => {
             let is_literal = text.bytes().all(|byte| byte.is_ascii_digit() || byte == b'_');
@@ -118,7 +118,7 @@ impl Compiler<'_> {
         let Call { syntax, name, name_range, parts } = call.clone();
         let text_of = |range: &Range<usize>| &self.text[range.clone()];
         let shown_name = text_of(&name_range).to_owned();
-        let types: Vec<_> = parts.iter().map(|part| part.value_type).collect();
+        let types: Vec<_> = parts.iter().map(|part| part.code.value_type).collect();
         let explain_part = |part: &Part, wanted| {
             let fault = explain_mismatch(&format!("{shown_name} takes"), part, self.text, wanted);
             Refusal { range: part.range.clone(), fault }
@@ -155,7 +155,7 @@ impl Compiler<'_> {
                 }
                 Some(Function { parameters, .. }) if parameters.len() == parts.len() => {
                     let mut pairs = parts.iter().zip(*parameters);
-                    match pairs.find(|(part, wanted)| part.value_type != **wanted) {
+                    match pairs.find(|(part, wanted)| part.code.value_type != **wanted) {
                         Some((part, wanted)) => return explain_part(part, *wanted),
                         None => Fault::Unsupported,
                     }
@@ -185,7 +185,7 @@ impl Compiler<'_> {
         let [receiver, others @ ..] = parts else {
             return Refusal { range, fault: Fault::Unsupported };
         };
-        let receiver = receiver.value_type;
+        let receiver = receiver.code.value_type;
         let methods = || members(receiver).filter(|(name, _)| *name == member);
         let parameters = methods().map(|(_, function)| &function.parameters[1..]);
         let parameters: Vec<_> = parameters.collect();
@@ -200,7 +200,7 @@ impl Compiler<'_> {
                 let same_count = parameters.iter().find(|wanted| wanted.len() == others.len());
                 let mismatch = same_count.and_then(|wanted| {
                     let mut pairs = others.iter().zip(*wanted);
-                    pairs.find(|(part, wanted)| part.value_type != **wanted)
+                    pairs.find(|(part, wanted)| part.code.value_type != **wanted)
                 });
                 let name = self.text[name_range.clone()].to_owned();
                 match mismatch {
@@ -226,7 +226,7 @@ impl Compiler<'_> {
         Call { syntax, name: member, name_range, parts }: Call,
     ) -> Refusal {
         let receiver = &parts[0];
-        let (text, value_type) = (&self.text[receiver.range.clone()], receiver.value_type);
+        let (text, value_type) = (&self.text[receiver.range.clone()], receiver.code.value_type);
         if member == "into" && parts.len() == 1 && matches!(syntax, Expr::MethodCall(_)) {
             let cure = match value_type {
                 ValueType::Array => format!("DVec3::from{}", in_parentheses(text)),
@@ -237,7 +237,7 @@ impl Compiler<'_> {
         }
         let name = format!(".{member}");
         let mut candidates = synonyms(member).into_iter().filter(|name| {
-            let types = parts.iter().map(|part| part.value_type).collect::<Vec<_>>();
+            let types = parts.iter().map(|part| part.code.value_type).collect::<Vec<_>>();
             find_function(&format!("{}::{name}", value_type.name()), &types).is_some()
                 && is_method(value_type, name)
         });
@@ -258,7 +258,7 @@ impl Compiler<'_> {
             return Refusal { range: name_range.start..end, fault };
         }
         let owner = ValueType::ALL.into_iter().find(|value_type| {
-            *value_type != receiver.value_type
+            *value_type != receiver.code.value_type
                 && members(*value_type).any(|(known, _)| known == member)
         });
         let fault = match owner {
@@ -276,7 +276,7 @@ impl Compiler<'_> {
     /// that there are. If the line calls the name as a function, the arguments are in `parts`.
     fn explain_unknown_name(&self, Call { syntax, name, name_range, parts }: Call) -> Refusal {
         if let Some(cure) = self.write_as_method(name, parts) {
-            let is_open = parts[0].is_open;
+            let is_open = parts[0].code.is_open;
             let fault = if is_open { Fault::Function { cure } } else { Fault::Method { cure } };
             return Refusal { range: range_of(syntax), fault };
         }
@@ -303,10 +303,10 @@ impl Compiler<'_> {
     fn write_as_method(&self, name: &str, parts: &[Part]) -> Option<String> {
         let last = name.rsplit("::").next().unwrap_or_default();
         let (first, others) = parts.split_first()?;
-        let value_type = first.value_type.name();
-        let types: Vec<_> = parts.iter().map(|part| part.value_type).collect();
+        let value_type = first.code.value_type.name();
+        let types: Vec<_> = parts.iter().map(|part| part.code.value_type).collect();
         let mut methods = synonyms(last);
-        methods.retain(|method| is_method(first.value_type, method));
+        methods.retain(|method| is_method(first.code.value_type, method));
         let fits = |method: &&String| find_function(&format!("{value_type}::{method}"), &types);
         let method = methods.iter().find(|method| fits(method).is_some());
         let texts = others.iter().map(|part| &self.text[part.range.clone()]);
@@ -316,7 +316,7 @@ impl Compiler<'_> {
         };
         let method = method.or(methods.first())?;
         let text = &self.text[first.range.clone()];
-        Some(if first.is_open {
+        Some(if first.code.is_open {
             // A literal such as 2.0 has no methods, because Rust doesn't know its type yet.
             let comma = if others.is_empty() { "" } else { ", " };
             format!("{value_type}::{method}({text}{comma}{others})")

@@ -3,7 +3,7 @@
 use crate::expressions::compiler::Compiler;
 use crate::expressions::evaluation::Run;
 use crate::expressions::operation::{range_of, write_tokens};
-use crate::expressions::part::Part;
+use crate::expressions::part::{Code, Part};
 use crate::expressions::refusal::{Fault, Refusal, refuse};
 use crate::expressions::refused_call::explain_mismatch;
 use crate::expressions::value::Value;
@@ -34,7 +34,7 @@ fn value_of(syntax: &Expr) -> &Expr {
 
 impl Compiler<'_> {
     /// Compiles an `if`.
-    pub fn compile_if(&mut self, branches: &ExprIf) -> Result<Part, Refusal> {
+    pub fn compile_if(&mut self, branches: &ExprIf) -> Result<Code, Refusal> {
         let Some((_, other)) = &branches.else_branch else {
             return refuse(range_of(&branches.if_token), Fault::MissingElse);
         };
@@ -45,12 +45,13 @@ impl Compiler<'_> {
         let then = &branches.then_branch;
         let then = self.compile_statements(&then.stmts, range_of(then))?;
         let other = Part { range: range_of(value_of(other)), ..self.compile_expression(other)? };
-        for (part, wanted) in [(&condition, ValueType::Bool), (&other, then.value_type)] {
-            if part.value_type != wanted {
+        for (part, wanted) in [(&condition, ValueType::Bool), (&other, then.code.value_type)] {
+            if part.code.value_type != wanted {
                 let fault = explain_mismatch("if takes", part, self.text, wanted);
                 return refuse(part.range.clone(), fault);
             }
         }
+        let (condition, then, other) = (condition.code, then.code, other.code);
         let (value_type, is_open) = (then.value_type, then.is_open && other.is_open);
         let run = match condition.constant_value() {
             Some(Value::Bool(true)) => then.run,
@@ -66,7 +67,7 @@ impl Compiler<'_> {
                 }))
             }
         };
-        Ok(Part { run, value_type, is_open, range: 0..0 })
+        Ok(Code { run, value_type, is_open })
     }
 
     /// Compiles the remaining statements of the block at `range`. Their value is that of the last
@@ -102,23 +103,24 @@ impl Compiler<'_> {
         else {
             return refuse(range, Fault::Block);
         };
-        let mut value = self.compile_expression(expr)?;
+        let part = self.compile_expression(expr)?;
         if let Some(type_name) = type_name {
-            self.check_type(ident, type_name, &value)?;
-            value.is_open = false;
+            self.check_type(ident, type_name, &part)?;
         }
+        let is_open = part.code.is_open && type_name.is_none();
+        let value = Code { is_open, ..part.code };
         let is_constant = value.constant_value().is_some();
-        let named_part = match is_constant {
+        let named_value = match is_constant {
             true => value.clone(),
             false => self.new_slot(value.value_type, value.is_open),
         };
-        self.add_name(ident, named_part)?;
-        let part = self.compile_statements(rest, range)?;
+        self.add_name(ident, named_value)?;
+        let Part { code, range } = self.compile_statements(rest, range)?;
         self.names.pop();
         if is_constant {
-            return Ok(part);
+            return Ok(Part { code, range });
         }
-        let (value, rest) = (value.run, part.run);
+        let (value, rest) = (value.run, code.run);
         let run = Run::Call(Rc::new(move |evaluation| {
             let value = value.evaluate(evaluation)?;
             evaluation.slots.push(value);
@@ -126,7 +128,7 @@ impl Compiler<'_> {
             evaluation.slots.pop();
             result
         }));
-        Ok(Part { run, ..part })
+        Ok(Part { code: Code { run, ..code }, range })
     }
 
     /// Refuses a value whose type isn't the one that `let` names.
@@ -138,7 +140,7 @@ impl Compiler<'_> {
         if wanted == ValueType::Vector && !self.place.has_vectors {
             return refuse(range_of(type_name), Fault::NoVectors);
         }
-        if value.value_type != wanted {
+        if value.code.value_type != wanted {
             let subject = format!("{ident} has to be");
             let fault = explain_mismatch(&subject, value, self.text, wanted);
             return refuse(value.range.clone(), fault);
@@ -163,8 +165,8 @@ impl Compiler<'_> {
         let with_field = match (&*assignment.left, self.place.value_type) {
             (Expr::Field(field), ValueType::Vector) => {
                 let base = self.compile_expression(&field.base).ok();
-                let is_vector = base.is_some_and(|base| base.value_type == ValueType::Vector);
-                let is_number = value.value_type == ValueType::F64;
+                let is_vector = base.is_some_and(|base| base.code.value_type == ValueType::Vector);
+                let is_number = value.code.value_type == ValueType::F64;
                 let name = write_tokens(&field.member);
                 let is_field = ["x", "y", "z"].contains(&&*name);
                 let base = &self.text[range_of(&field.base)];
@@ -178,9 +180,9 @@ impl Compiler<'_> {
         Refusal { range, fault: Fault::Assignment { left, cure } }
     }
 
-    /// Adds a name that `let` gives to a part. Refuses a name that is taken, reserved or
+    /// Adds a name that `let` gives to a value. Refuses a name that is taken, reserved or
     /// capitalised.
-    fn add_name(&mut self, ident: &Ident, part: Part) -> Result<(), Refusal> {
+    fn add_name(&mut self, ident: &Ident, value: Code) -> Result<(), Refusal> {
         let name = ident.to_string();
         let is_end = |sign: char| !sign.is_alphanumeric() && sign != '_';
         let mut firsts = self.names.iter().map(|(known, _)| known.split(is_end).next());
@@ -190,7 +192,7 @@ impl Compiler<'_> {
         if firsts.any(|first| first == Some(&name)) {
             return refuse(range_of(ident), Fault::TakenName(name));
         }
-        self.names.push((name, part));
+        self.names.push((name, value));
         Ok(())
     }
 }

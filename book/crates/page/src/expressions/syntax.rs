@@ -2,9 +2,15 @@
 
 use crate::expressions::refusal::{Fault, Refusal, refuse};
 use course::{Place, PlaceNote};
+use proc_macro2::TokenStream;
 use std::ops::Range;
 use syn::parse::Parser;
 use syn::{Block, Stmt};
+
+/// What `syn` says about `a < b < c`. Its errors have no kinds to match, and telling this one from
+/// `a < < c` by the text would take a parser of our own. If `syn` ever words it differently, the
+/// test `chain_of_comparisons_is_recognised` fails.
+const COMPARISON_CHAIN: &str = "comparison operators cannot be chained";
 
 /// The maximum length of a line, in bytes. However deeply such a line is nested, it can't overflow
 /// a page's stack.
@@ -86,14 +92,14 @@ fn explain_syntax_error(text: &str, range: Range<usize>, error: &str) -> Refusal
     if end == 0 {
         return Refusal { range: 0..0, fault: Fault::Nothing };
     }
-    let (range, fault) = if error.contains("token stream") {
+    let (range, fault) = if text.parse::<TokenStream>().is_err() {
         let fault = match text[at..].chars().next() {
             Some('(' | '[' | '{') => Fault::UnclosedBracket,
             Some(')' | ']' | '}') => Fault::UnopenedBracket,
             _ => Fault::Unreadable,
         };
         (at..text.len().min(at + 1), fault)
-    } else if error.contains("chained") {
+    } else if error == COMPARISON_CHAIN {
         (range, Fault::ComparisonChain)
     } else if &text[range.clone()] == ";" {
         let has_let = text.trim_start().starts_with("let ");
@@ -114,6 +120,30 @@ fn explain_syntax_error(text: &str, range: Range<usize>, error: &str) -> Refusal
 #[cfg(test)]
 mod tests {
     use super::*;
+    use syn::Expr;
+
+    fn explain(text: &str) -> (Range<usize>, Fault) {
+        let error = syn::parse_str::<Expr>(text).err().expect("a fault");
+        let Refusal { range, fault } =
+            explain_syntax_error(text, error.span().byte_range(), &error.to_string());
+        (range, fault)
+    }
+
+    #[test]
+    fn chain_of_comparisons_is_recognised() {
+        assert_eq!(explain("a < b < c").1, Fault::ComparisonChain);
+        assert_eq!(explain("a == b == c").1, Fault::ComparisonChain);
+        assert_eq!(explain("a == == c").1, Fault::MissingBefore);
+    }
+
+    #[test]
+    fn text_that_has_no_tokens_is_distinguished_from_a_wrong_expression() {
+        assert_eq!(explain("a * (b + c"), (4..5, Fault::UnclosedBracket));
+        assert_eq!(explain("a) * b"), (1..2, Fault::UnopenedBracket));
+        assert_eq!(explain("a * /* b"), (4..5, Fault::Unreadable));
+        assert_eq!(explain("a * / b"), (4..5, Fault::MissingBefore));
+        assert_eq!(explain("a *"), (2..3, Fault::MissingBehind));
+    }
 
     #[test]
     fn comment_in_the_last_row_is_found() {

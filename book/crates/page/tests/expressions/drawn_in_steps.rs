@@ -51,7 +51,7 @@ fn drawn_lines() -> Vec<(Place, String, u64)> {
 
 /// Writes the step of a place with a line in it as a module of this name.
 fn write_step(source: &Path, place: &Place, text: &str, module: &str) {
-    let step = place.step_name();
+    let step = place.step().name();
     let folder = source.join(module);
     fs::create_dir_all(&folder).expect("a folder");
     for file in workspace().join("steps").join(step).join("src").read_dir().expect("a folder") {
@@ -80,7 +80,7 @@ fn accepted_lines_draw_the_same_picture_in_their_steps() {
         write_step(&folder.join("src"), place, text, &module);
         modules += &format!("mod {module};\n");
         // Step 1 defines the camera itself.
-        let owner = if place.step_name() == Step::Rays.name() { &module } else { "step01_rays" };
+        let owner = if place.step() == Step::Rays { &module } else { "step01_rays" };
         let camera = format!("{owner}::Camera::new({COLUMNS}, 36, 60_f64.to_radians())");
         calls += &format!("print_hash({module}::picture(&{camera}, 1));\n");
     }

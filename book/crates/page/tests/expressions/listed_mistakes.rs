@@ -49,7 +49,7 @@ fn known_codes_with_hashes(place: &Place) -> Vec<(String, u64)> {
     let bare = lines.join("\n");
     let range = place.find_range(&bare).expect("the place");
     let (code_before, code_after) = (&bare[..range.start], &bare[range.end..]);
-    let right = hashes_of_right_pictures().find(|(name, _)| *name == place.step_name());
+    let right = hashes_of_right_pictures().find(|(name, _)| *name == place.step().name());
     let (_, right) = right.expect("a locked picture");
     let edit = |(mistake, row): (&Mistake, &TableRow)| {
         let edited = mistake.apply_and_unindent(&bare).ok().filter(|_| mistake.file == path)?;
