@@ -324,9 +324,9 @@
             swatch.style.background = `rgb${bytes}`;
             this.controls.querySelector(".hint").replaceChildren(book.make("b", {}, seen), " ", swatch, ` ${bytes} `, ...this.makeLinks());
             if (!this.panel) return;
-            /** @type {NodeListOf<HTMLTableRowElement>} */
-            const rows = this.panel.querySelectorAll("tr");
-            if (!this.isPreview) for (const row of rows) row.classList.toggle("hit", row.cells[0].textContent === object);
+            /** @type {NodeListOf<HTMLElement>} */
+            const names = this.panel.querySelectorAll("[data-object]");
+            if (!this.isPreview) for (const name of names) name.closest("tr").classList.toggle("hit", name.dataset.object === object);
             if (isOther) this.followPixel();
         }
 

@@ -63,6 +63,8 @@ pub enum ChapterError {
     MissingPanel(&'static str),
     #[error("rows are written {{{{#rows PICTURE COLUMN COLUMN …}}}}")]
     RowsForm,
+    #[error("the picture {0} has no rows")]
+    NoRows(String),
 
     #[error(
         "a lone $: write \\$ for a dollar sign; a formula needs a second $, braces in pairs, and \

@@ -3,8 +3,8 @@
 
 use crate::fault::{ChapterError, ChapterResult};
 use crate::numbers;
-use crate::values::{Notation, Values};
-use figures::short_name;
+use crate::values::Values;
+use figures::{find_figure, row_readout, short_name};
 use step03_nearest::OBJECTS;
 
 /// The HTML for `{{#pixel-panel step04_diffuse}}`, which begins that picture's box. The chapter
@@ -20,19 +20,22 @@ pub fn opening_html(picture: &str) -> String {
 }
 
 /// Returns the rows of a table for `{{#rows step04_diffuse sphere a b c}}`. The first row has that
-/// picture's numbers a0, b0 and c0, the second a1, b1 and c1, and so on, for as long as the last
-/// column has a number. The column `sphere` has the names of the spheres.
+/// picture's numbers a0, b0 and c0, the second a1, b1 and c1, and so on. The column `sphere` has the
+/// names of the spheres, by which book/theme/figure.js finds the row of the one that was hit.
 pub fn rows_markdown(words: &str, values: &Values) -> ChapterResult<String> {
     let mut words = words.split_whitespace();
     let (Some(picture), columns) = (words.next(), words.collect::<Vec<_>>()) else {
         return Err(ChapterError::RowsForm);
     };
-    let last = columns.last().ok_or(ChapterError::RowsForm)?;
-    let count = (0..)
-        .take_while(|k| values.text(&format!("{picture}:{last}{k}"), Notation::Prose).is_ok())
-        .count();
-    // If the last column doesn't exist at all, the first row reports that.
-    (0..count.max(1)).map(|k| row_markdown(picture, &columns, k, values)).collect()
+    if columns.is_empty() {
+        return Err(ChapterError::RowsForm);
+    }
+    let figure =
+        find_figure(picture).ok_or_else(|| ChapterError::UnknownFigure(picture.to_owned()))?;
+    if figure.row_count == 0 {
+        return Err(ChapterError::NoRows(picture.to_owned()));
+    }
+    (0..figure.row_count).map(|k| row_markdown(picture, &columns, k, values)).collect()
 }
 
 fn row_markdown(
@@ -45,8 +48,14 @@ fn row_markdown(
     for column in columns {
         row += "| ";
         row += &match *column {
-            "sphere" => OBJECTS.get(k).map_or("", |object| short_name(object.name)).to_owned(),
-            name => numbers::live_number_html("span", &format!("{picture}:{name}{k}"), values)?,
+            "sphere" => {
+                let name = OBJECTS.get(k).map_or("", |object| short_name(object.name));
+                format!("<span data-object=\"{name}\">{name}</span>")
+            }
+            column => {
+                let name = format!("{picture}:{}", row_readout(column, k));
+                numbers::live_number_html("span", &name, values)?
+            }
         };
         row += " ";
     }
@@ -56,15 +65,22 @@ fn row_markdown(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::values::Notation;
 
     #[test]
-    fn rows_end_with_the_last_sphere() {
+    fn there_is_a_row_for_each_sphere() {
         let values = Values::default();
         let rows = rows_markdown("step03_nearest sphere a", &values).expect("rows");
         assert_eq!(rows.lines().count(), OBJECTS.len());
         let first = rows.lines().next().unwrap_or_default();
         let a = values.text("step03_nearest:a0", Notation::Prose).expect("a number");
-        assert_eq!(first, format!("| red | <span data-number=\"step03_nearest:a0\">{a}</span> |"));
+        assert_eq!(
+            first,
+            format!(
+                "| <span data-object=\"red\">red</span> | \
+                 <span data-number=\"step03_nearest:a0\">{a}</span> |"
+            )
+        );
     }
 
     #[test]
@@ -75,14 +91,9 @@ mod tests {
                 "{words}"
             );
         }
-        for words in ["step03_nearest nothing", "nowhere a"] {
-            assert!(
-                matches!(
-                    rows_markdown(words, &Values::default()),
-                    Err(ChapterError::UnknownValue(_))
-                ),
-                "{words}"
-            );
-        }
+        let error = |words| rows_markdown(words, &Values::default()).expect_err(words).to_string();
+        assert_eq!(error("step03_nearest nothing"), "there is no value step03_nearest:nothing0");
+        assert_eq!(error("nowhere a"), "there is no figure nowhere");
+        assert_eq!(error("step01_rays a"), "the picture step01_rays has no rows");
     }
 }

@@ -19,6 +19,9 @@ pub struct Figure {
     pub handles: Vec<Handle>,
     /// Writes the texts elsewhere on the page that depend on the values.
     pub readouts: fn(&ParameterValues) -> Readouts,
+    /// The number of rows in the table of a pixel's trace, 0 if there is none. [`row_readout`] names
+    /// what a row reads out.
+    pub row_count: usize,
     /// Extras for a scene that the reader edits. None for all other figures.
     pub editable_scene: Option<EditableScene>,
     /// Whether there is anything to show at these values.
@@ -46,6 +49,12 @@ pub enum Content {
 /// Texts, keyed by name: numbers and vectors, formatted for the page, and some phrases.
 pub type Readouts = BTreeMap<String, String>;
 
+/// The name of a readout in a row of a table, such as a3 for the column a and the row 3. Rows count
+/// from 0.
+pub fn row_readout(column: &str, row: usize) -> String {
+    format!("{column}{row}")
+}
+
 /// Makes readouts from pairs of a name and a text.
 pub fn collect_readouts<const N: usize>(texts: [(&str, String); N]) -> Readouts {
     texts.map(|(name, text)| (name.into(), text)).into()
@@ -72,6 +81,7 @@ impl Figure {
             parameters: vec![],
             handles: vec![],
             readouts: |_| Readouts::new(),
+            row_count: 0,
             editable_scene: None,
             is_allowed: |_| true,
         }

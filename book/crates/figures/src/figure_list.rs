@@ -43,6 +43,7 @@ pub fn find_figure(name: &str) -> Option<&'static Figure> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::row_readout;
     use std::collections::HashSet;
 
     #[test]
@@ -73,6 +74,18 @@ mod tests {
                     figure.name
                 );
             }
+        }
+    }
+
+    #[test]
+    fn each_row_has_its_readouts() {
+        for figure in FIGURES.iter() {
+            let readouts = (figure.readouts)(&figure.default_values());
+            // `a` is a column of spheres, and `k` one of mirrors.
+            let has_row =
+                |row| ["a", "k"].iter().any(|name| readouts.contains_key(&row_readout(name, row)));
+            assert!((0..figure.row_count).all(has_row), "{}", figure.name);
+            assert!(!has_row(figure.row_count), "{}", figure.name);
         }
     }
 }

@@ -5,7 +5,7 @@ use super::step05::object_parameter;
 use crate::probe::{I, J, draw_picture, probe_ray, probed_picture};
 use crate::{
     Figure, Parameter, ParameterId, ParameterValues, Readouts, collect_readouts, format_number,
-    format_vector, short_name,
+    format_vector, row_readout, short_name,
 };
 use course::examples::mirror::{Mirror, colour, mirrors};
 use glam::DVec3;
@@ -42,6 +42,7 @@ pub fn figure() -> Figure {
     let parameters = [depth, offset].into_iter().chain(ks);
     Figure {
         readouts,
+        row_count: 1 + MAX_DEPTH as usize,
         ..probed_picture("mirror", [168.0, 295.0], parameters, |values, columns| {
             let mirrors = Mirrors::new(values);
             draw_picture(columns, |ray| mirrors.colour(ray, mirrors.depth))
@@ -101,7 +102,7 @@ fn readouts(values: &ParameterValues) -> Readouts {
     for k in 0..=MAX_DEPTH {
         let hit = ray.map(|ray| mirrors.trace_hit(&ray, mirrors.depth - k));
         let (row, mirrored) = hit.unwrap_or_default();
-        let names = ["object", "t", "k", "I"].map(|name| format!("{name}{k}"));
+        let names = ["object", "t", "k", "I"].map(|column| row_readout(column, k as usize));
         readouts.extend(names.into_iter().zip(row));
         ray = mirrored;
     }

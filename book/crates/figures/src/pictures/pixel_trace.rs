@@ -2,7 +2,8 @@
 
 use crate::probe::{I, J, probe_ray};
 use crate::{
-    ParameterValues, Readouts, collect_readouts, format_number, format_vector, short_name,
+    ParameterValues, Readouts, collect_readouts, format_number, format_vector, row_readout,
+    short_name,
 };
 use glam::DVec3;
 use step01_rays::{Ray, direction_colour, rgb8};
@@ -10,6 +11,9 @@ use step02_sphere::Sphere;
 use step05_phong::{
     Hit, Light, Material, Object, Scene, light_terms, nearest, phong, reflect, visible_point,
 };
+
+/// The name of each light in readouts, in the order of the scene.
+const LIGHT_NAMES: [&str; 2] = ["warm", "cool"];
 
 /// The discriminant b² − 4ac for a ray and a sphere.
 pub fn discriminant(sphere: &Sphere, ray: &Ray) -> f64 {
@@ -56,7 +60,7 @@ pub fn trace_pixel<M>(
             ("near", format_root(roots.into_iter().next())),
             ("far", format_root(roots.into_iter().last())),
         ];
-        readouts.extend(row.map(|(name, text)| (format!("{name}{k}"), text)));
+        readouts.extend(row.map(|(column, text)| (row_readout(column, k), text)));
     }
     // A ray has either a nearest hit or a sky colour. The readouts for the other are empty.
     let [object, t, p, sky] = match nearest(objects, &ray) {
@@ -85,7 +89,7 @@ pub fn trace_shading(values: &ParameterValues, scene: &Scene<Material, Light>) -
         ("diffuse", format_vector(terms.diffuse)),
         ("specular", format_vector(terms.specular)),
     ]);
-    for (light, name_of_light) in scene.lights.iter().zip(["warm", "cool"]) {
+    for (light, light_name) in scene.lights.iter().zip(LIGHT_NAMES) {
         let (l, d) = light.point_light.direction_from(p);
         let r = reflect(n, l);
         let power = r.dot(v).max(0.0).powi(material.shininess);
@@ -102,7 +106,22 @@ pub fn trace_shading(values: &ParameterValues, scene: &Scene<Material, Light>) -
             ("power", format_number(power)),
             ("specular", format_vector(terms.specular)),
         ];
-        readouts.extend(column.map(|(name, text)| (format!("{name} {name_of_light}"), text)));
+        readouts.extend(column.map(|(name, text)| (format!("{name} {light_name}"), text)));
     }
     readouts
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use step05_phong::{COOL_LIGHT, WARM_LIGHT};
+
+    #[test]
+    fn lights_are_named_in_the_order_of_the_scene() {
+        let lights = step05_phong::scene().lights;
+        let positions = lights.iter().map(|light| light.point_light.position);
+        let named = [("warm", WARM_LIGHT), ("cool", COOL_LIGHT)];
+        let expected = named.map(|(name, light)| (name, light.position));
+        assert_eq!(LIGHT_NAMES.into_iter().zip(positions).collect::<Vec<_>>(), expected);
+    }
 }

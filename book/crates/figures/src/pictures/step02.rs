@@ -26,6 +26,7 @@ pub fn figure() -> Figure {
         0.0,
         centre,
     ));
+    figure.row_count = 1;
     figure.readouts = |values| {
         let sphere = sphere(values);
         let object = Object { name: "sphere", sphere, material: () };

@@ -9,6 +9,7 @@ use step03_nearest::{OBJECTS, colour};
 pub fn figure() -> Figure {
     Figure {
         readouts: |values| trace_pixel(values, &OBJECTS, |ray| colour(&OBJECTS, ray)),
+        row_count: OBJECTS.len(),
         ..probed_picture("step03_nearest", [195.0, 237.0], [], |_, columns| {
             draw_picture(columns, |ray| colour(&OBJECTS, ray))
         })

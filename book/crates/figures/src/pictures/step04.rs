@@ -4,7 +4,7 @@ use super::pixel_trace::{trace_pixel, trace_shading};
 use crate::probe::{draw_picture, probed_picture};
 use crate::{Axis, Figure, Handle, Mark, Parameter, ParameterValues, PointId, Readouts};
 use glam::DVec3;
-use step04_diffuse::{COOL_LIGHT, Matte, PointLight, Scene, WARM_LIGHT, colour};
+use step04_diffuse::{COOL_LIGHT, Matte, OBJECTS, PointLight, Scene, WARM_LIGHT, colour};
 use step05_phong::{Light, Material};
 
 /// The positions of the lights, in the order of the scene.
@@ -30,7 +30,7 @@ pub fn figure() -> Figure {
             Handle::of_world_point_in_picture(light.0, [light.x(), light.y()], 24.0, position);
         Handle { mark: Mark::Light, ..handle }
     }));
-    Figure { readouts, ..figure }
+    Figure { readouts, row_count: OBJECTS.len(), ..figure }
 }
 
 /// The parameters for a light's coordinates.

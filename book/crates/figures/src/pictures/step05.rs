@@ -39,6 +39,7 @@ pub fn figure() -> Figure {
     let parameters = switches.into_iter().chain(shininesses).chain(reflectances);
     Figure {
         readouts,
+        row_count: OBJECTS.len(),
         ..probed_picture("step05_phong", [470.0, 120.0], parameters, |values, columns| {
             let scene = changed_scene(values);
             draw_picture(columns, |ray| colour(&scene, ray))
