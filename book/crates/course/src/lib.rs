@@ -29,7 +29,9 @@ pub use examples::{DrawPicture, PICTURES, find_picture};
 mod mistake;
 mod mistake_files;
 mod mistake_table;
-pub use mistake::{Mistake, MistakePicture, ShownMistake, mistakes};
+pub use mistake::{
+    Mistake, MistakeListError, MistakePicture, ShownMistake, mistakes, parse_mistake_lists,
+};
 pub use mistake_files::{MistakeTexts, mistake_texts, provide_mistake_texts};
 pub use mistake_table::{
     MistakeTable, RightPicture, SMALL_SIZE, TableError, TableRow, find_mistakes_with_hash,

@@ -7,8 +7,8 @@
 //! - `-` the right code,
 //! - `+` the code that is written instead.
 //!
-//! There are two other kinds of blocks, both of a single line. A line that starts with `@` names
-//! the source file that the mistakes below it are in, and any other line is a comment.
+//! There are two other kinds of blocks. A single line that starts with `@` names the source file
+//! that the mistakes below it are in, and lines that start with `#` are a comment.
 //!
 //! If the book shows a mistake, its block has four more kinds of lines:
 //!
@@ -21,6 +21,7 @@
 use crate::Step;
 use crate::mistake_files::mistake_texts;
 use std::sync::OnceLock;
+use thiserror::Error;
 
 /// A mistake that readers make: some code in a file, and what they write instead.
 #[derive(Clone, Debug, PartialEq)]
@@ -63,54 +64,159 @@ pub struct MistakePicture {
 
 /// Returns all mistakes, in the order of the lists, which are parsed only once. In a page's module,
 /// there are none until the page has provided the lists.
+///
+/// # Panics
+///
+/// Panics if a line in the lists can't be parsed. They are a part of the program, and its tests
+/// fail then.
 pub fn mistakes() -> &'static [Mistake] {
-    static MISTAKES: OnceLock<Vec<Mistake>> = OnceLock::new();
-    let Some(texts) = mistake_texts() else { return &[] };
-    MISTAKES.get_or_init(|| {
-        let lists = Step::ALL.into_iter().zip(texts.lists);
-        lists.flat_map(|(step, list)| parse_list(step, list)).collect()
-    })
+    match parse_mistake_lists() {
+        Ok(mistakes) => mistakes,
+        Err(error) => panic!("{error}"),
+    }
 }
+
+/// Like [`mistakes`], but returns an error if a line in the lists can't be parsed.
+pub fn parse_mistake_lists() -> Result<&'static [Mistake], MistakeListError> {
+    static MISTAKES: OnceLock<Result<Vec<Mistake>, MistakeListError>> = OnceLock::new();
+    let Some(texts) = mistake_texts() else { return Ok(&[]) };
+    let parsed = MISTAKES.get_or_init(|| {
+        let lists = Step::ALL.into_iter().zip(texts.lists);
+        let mistakes = lists.map(|(step, list)| parse_list(step, list));
+        Ok(mistakes.collect::<Result<Vec<_>, _>>()?.concat())
+    });
+    parsed.as_deref().map_err(Clone::clone)
+}
+
+/// The error for a line in the lists that can't be parsed.
+#[derive(Clone, Debug, PartialEq, Error)]
+#[error("mistakes/{}.txt, line {line}: {fault}", .step.name())]
+pub struct MistakeListError {
+    step: Step,
+    line: usize,
+    fault: MistakeListFault,
+}
+
+/// What is wrong with a line.
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
+enum MistakeListFault {
+    #[error("a line with `@` names a file, and is a block of its own")]
+    File,
+    #[error("a mistake needs a line `@ FILE` above it")]
+    NoFile,
+    #[error("a mistake needs a title, and below it lines with `-` and with `+`")]
+    NoCode,
+    #[error("a line below a title begins with `-`, `+`, `!`, `?`, `/` or `\"`, and a blank")]
+    UnknownMark,
+    #[error("there is no step `{0}`: write `! NAME` or `! NAME STEP`")]
+    UnknownStep(&'static str),
+    #[error("the mistake already has a line with `{0}`")]
+    Twice(char),
+    #[error("a mistake with a picture needs lines with `?`, `/` and `\"`, and any other has none")]
+    NotShown,
+}
+
+/// A line of a list, and its number.
+type NumberedLine = (usize, &'static str);
 
 /// Parses a step's list.
-fn parse_list(step: Step, list: &'static str) -> Vec<Mistake> {
+fn parse_list(step: Step, list: &'static str) -> Result<Vec<Mistake>, MistakeListError> {
     let mut mistakes = vec![];
-    let mut file = String::new();
-    for block in list.split("\n\n").map(|block| block.trim_matches('\n')) {
-        match block.strip_prefix("@ ") {
-            Some(path) => file = format!("steps/{}/src/{path}", step.name()),
-            None => mistakes.extend(parse_mistake(step, &file, block)),
+    let mut file = None;
+    let lines: Vec<NumberedLine> = (1..).zip(list.lines()).collect();
+    for block in lines.split(|(_, line)| line.is_empty()) {
+        let Some(((line, first), marked_lines)) = block.split_first() else { continue };
+        let fail = |fault| MistakeListError { step, line: *line, fault };
+        match first.strip_prefix("@ ") {
+            Some(path) if marked_lines.is_empty() => {
+                file = Some(format!("steps/{}/src/{path}", step.name()));
+            }
+            Some(_) => return Err(fail(MistakeListFault::File)),
+            None if block.iter().all(|(_, line)| line.starts_with('#')) => {}
+            None => {
+                let file = file.clone().ok_or(fail(MistakeListFault::NoFile))?;
+                let mut code_and_words = MarkedLines::default();
+                for (line, text) in marked_lines {
+                    let fail = |fault| MistakeListError { step, line: *line, fault };
+                    code_and_words.add_line(step, text).map_err(fail)?;
+                }
+                mistakes.push(code_and_words.into_mistake(first, step, file).map_err(fail)?);
+            }
         }
     }
-    mistakes
+    Ok(mistakes)
 }
 
-/// Parses a block of a list. Returns None for a comment, which is a single line.
-fn parse_mistake(step: Step, file: &str, block: &'static str) -> Option<Mistake> {
-    let (title, marked_lines) = block.split_once('\n')?;
-    let marked = |mark: char| {
-        let lines = marked_lines.lines().filter_map(move |line| line.strip_prefix(mark));
-        lines.map(|line| line.strip_prefix(' ').unwrap_or(line))
+/// The lines below a mistake's title, without their marks.
+#[derive(Default)]
+struct MarkedLines {
+    old: Vec<&'static str>,
+    new: Vec<&'static str>,
+    pictures: Vec<MistakePicture>,
+    reason: Option<&'static str>,
+    section: Option<&'static str>,
+    effect: Option<&'static str>,
+}
+
+impl MarkedLines {
+    fn add_line(&mut self, step: Step, line: &'static str) -> Result<(), MistakeListFault> {
+        // Of an empty line of code, there is only the mark.
+        let (mark, words) = line.split_once(' ').unwrap_or((line, ""));
+        match mark {
+            "-" => self.old.push(words),
+            "+" => self.new.push(words),
+            "!" => self.pictures.push(parse_picture(step, words)?),
+            "?" => set_once(&mut self.reason, '?', words)?,
+            "/" => set_once(&mut self.section, '/', words)?,
+            "\"" => set_once(&mut self.effect, '"', words)?,
+            _ => return Err(MistakeListFault::UnknownMark),
+        }
+        Ok(())
+    }
+
+    fn into_mistake(
+        self,
+        title: &'static str,
+        step: Step,
+        file: String,
+    ) -> Result<Mistake, MistakeListFault> {
+        let Self { old, new, pictures, reason, section, effect } = self;
+        if old.is_empty() || new.is_empty() {
+            return Err(MistakeListFault::NoCode);
+        }
+        let shown = match (reason, section, effect) {
+            (None, None, None) if pictures.is_empty() => None,
+            (Some(reason), Some(section), Some(effect)) if !pictures.is_empty() => {
+                Some(ShownMistake { pictures, reason, section, effect })
+            }
+            _ => return Err(MistakeListFault::NotShown),
+        };
+        Ok(Mistake { title, step, file, old: old.join("\n"), new: new.join("\n"), shown })
+    }
+}
+
+/// Sets the words of a line that a mistake has at most once.
+fn set_once(
+    line: &mut Option<&'static str>,
+    mark: char,
+    words: &'static str,
+) -> Result<(), MistakeListFault> {
+    match line.replace(words) {
+        Some(_) => Err(MistakeListFault::Twice(mark)),
+        None => Ok(()),
+    }
+}
+
+/// Parses `NAME` or `NAME STEP`.
+fn parse_picture(
+    default_step: Step,
+    words: &'static str,
+) -> Result<MistakePicture, MistakeListFault> {
+    let Some((name, step)) = words.split_once(' ') else {
+        return Ok(MistakePicture { name: words, step: default_step });
     };
-    let text = |mark| marked(mark).collect::<Vec<_>>().join("\n");
-    let first_marked = |mark| marked(mark).next().unwrap_or_default();
-    let pictures: Vec<_> = marked('!').map(|words| parse_picture(step, words)).collect();
-    let shown = (!pictures.is_empty()).then(|| ShownMistake {
-        pictures,
-        reason: first_marked('?'),
-        section: first_marked('/'),
-        effect: first_marked('"'),
-    });
-    Some(Mistake { title, step, file: file.to_owned(), old: text('-'), new: text('+'), shown })
-}
-
-/// Parses `name` or `name step`. If the last word isn't a step, it stays in the name. That is an
-/// error in the list, which a test finds because names contain no spaces.
-fn parse_picture(default_step: Step, words: &'static str) -> MistakePicture {
-    let name_and_step = words.rsplit_once(' ');
-    let name_and_step = name_and_step.and_then(|(name, step)| Some((name, Step::from_name(step)?)));
-    let (name, step) = name_and_step.unwrap_or((words, default_step));
-    MistakePicture { name, step }
+    let step = Step::from_name(step).ok_or(MistakeListFault::UnknownStep(step))?;
+    Ok(MistakePicture { name, step })
 }
 
 impl Mistake {
@@ -170,15 +276,44 @@ one that the book shows
 + b
 ! shown
 ! later step05_phong
-! no step
 ? It should be a.
 / The ray
 \" Everything is blue.
 ";
 
+    fn parse(step: Step) -> Vec<Mistake> {
+        parse_list(step, LIST).expect("a list")
+    }
+
+    #[test]
+    fn line_that_cannot_be_parsed_is_named() {
+        let error = |list| parse_list(Step::Rays, list).expect_err(list);
+        assert_eq!(
+            error("# A comment.\n\n@ ray.rs\n\na title\n- a\n+ b\n* c").to_string(),
+            "mistakes/step01_rays.txt, line 8: a line below a title begins with `-`, `+`, `!`, \
+             `?`, `/` or `\"`, and a blank"
+        );
+        let shown = "a title\n- a\n+ b\n! c";
+        for (block, line, fault) in [
+            ("@ camera.rs\n@ ray.rs", 3, MistakeListFault::File),
+            ("a title", 3, MistakeListFault::NoCode),
+            ("a title\n- a", 3, MistakeListFault::NoCode),
+            ("a title\n-a\n+ b", 4, MistakeListFault::UnknownMark),
+            (&format!("{shown} step06"), 6, MistakeListFault::UnknownStep("step06")),
+            (&format!("{shown}\n? d\n? e"), 8, MistakeListFault::Twice('?')),
+            (&format!("{shown}\n? d\n/ e"), 3, MistakeListFault::NotShown),
+            ("a title\n- a\n+ b\n? c\n/ d\n\" e", 3, MistakeListFault::NotShown),
+        ] {
+            let list = String::from("@ ray.rs\n\n") + block;
+            let expected = MistakeListError { step: Step::Rays, line, fault };
+            assert_eq!(error(list.leak()), expected, "{block}");
+        }
+        assert_eq!(error("a title\n- a\n+ b").fault, MistakeListFault::NoFile);
+    }
+
     #[test]
     fn block_is_a_mistake_of_the_file_above_it() {
-        let [short, long] = &parse_list(Step::Nearest, LIST)[..] else { panic!("two mistakes") };
+        let [short, long] = &parse(Step::Nearest)[..] else { panic!("two mistakes") };
         assert_eq!(short.title, "a short one");
         assert_eq!(short.file, "steps/step03_nearest/src/camera.rs");
         assert_eq!(short.old, "let a = 1;\n    let b = 2;");
@@ -187,11 +322,7 @@ one that the book shows
         assert_eq!(long.file, "steps/step03_nearest/src/ray.rs");
         let picture = |name, step| MistakePicture { name, step };
         let shown = ShownMistake {
-            pictures: vec![
-                picture("shown", Step::Nearest),
-                picture("later", Step::Phong),
-                picture("no step", Step::Nearest),
-            ],
+            pictures: vec![picture("shown", Step::Nearest), picture("later", Step::Phong)],
             reason: "It should be a.",
             section: "The ray",
             effect: "Everything is blue.",
@@ -201,14 +332,14 @@ one that the book shows
 
     #[test]
     fn mistake_affects_its_step_and_the_later_ones() {
-        let [mistake, _] = &parse_list(Step::Diffuse, LIST)[..] else { panic!("two mistakes") };
+        let [mistake, _] = &parse(Step::Diffuse)[..] else { panic!("two mistakes") };
         let steps: Vec<_> = mistake.affected_steps().collect();
         assert_eq!(steps, [Step::Diffuse, Step::Phong]);
     }
 
     #[test]
     fn mistake_is_applied_if_its_text_is_there_once() {
-        let [mistake, _] = &parse_list(Step::Rays, LIST)[..] else { panic!("two mistakes") };
+        let [mistake, _] = &parse(Step::Rays)[..] else { panic!("two mistakes") };
         assert_eq!(mistake.old_and_new_lines(), "- let a = 1;\n-     let b = 2;\n+ let a = 2;");
         let once = "fn f() {\n    let a = 1;\n    let b = 2;\n}";
         assert_eq!(mistake.apply_and_unindent(once).as_deref(), Ok("fn f() {\nlet a = 2;\n}"));

@@ -245,7 +245,10 @@ mod tests {
         assert_eq!(table.rows, rows.map(|(key, hashes)| TableRow { key, hashes }));
         assert_eq!(table.to_string(), TEXT);
         let checked_in = mistake_texts().expect("a program includes the texts").table;
-        assert!(mistake_table().to_string() == checked_in, "table.txt has lines in another order");
+        assert!(
+            mistake_table().to_string() == checked_in,
+            "table.txt: `cargo xtask` writes its lines in another order"
+        );
     }
 
     #[test]

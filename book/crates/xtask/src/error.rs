@@ -1,6 +1,6 @@
 //! What can go wrong in `cargo xtask`.
 
-use course::LockedPictureError;
+use course::{LockedPictureError, MistakeListError};
 use std::io;
 use std::path::{Path, PathBuf};
 use thiserror::Error;
@@ -10,6 +10,8 @@ use thiserror::Error;
 pub enum XtaskError {
     #[error("cargo xtask takes no arguments, but got {0}")]
     Argument(String),
+    #[error(transparent)]
+    MistakeList(#[from] MistakeListError),
     #[error("the code of the mistake \"{title}\" appears {count} times in {file}, not once")]
     MistakeNotOnce { title: &'static str, file: String, count: usize },
     #[error("{output}\nThe program that draws the mistakes doesn't run; it is in {}", .folder.display())]

@@ -5,8 +5,8 @@ use crate::mistake_program::{self, DrawnPictures, text_with_mistake, title_and_f
 use crate::source_hash::{code_lines, hash_texts};
 use course::{
     Mistake, MistakePicture, MistakeTable, PICTURES, RightPicture, SMALL_SIZE, Step, TableRow,
-    encode_png, hash_picture, make_small_picture, mistake_table, mistakes, read_locked_picture,
-    read_small_pictures, small_pictures_path, workspace,
+    encode_png, hash_picture, make_small_picture, mistake_table, parse_mistake_lists,
+    read_locked_picture, read_small_pictures, small_pictures_path, workspace,
 };
 use image::RgbImage;
 use image::imageops::replace;
@@ -67,7 +67,7 @@ impl Table {
         for (name, _) in PICTURES {
             right.push((*name, hash_picture(&read_locked_picture(name)?)));
         }
-        for mistake in mistakes() {
+        for mistake in parse_mistake_lists()? {
             all.push((mistake_key(mistake, &right)?, mistake));
         }
         let rows = mistake_table().rows.iter();
