@@ -136,6 +136,8 @@ pub struct Answer {
 }
 
 impl Answer {
+    /// An answer with nothing but a headline.
+    #[cfg(test)]
     pub(crate) fn new(verdict: Verdict, headline: String) -> Self {
         Self {
             verdict,

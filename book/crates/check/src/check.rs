@@ -1,7 +1,7 @@
 //! `check` as a function from the bytes of a PNG file to an answer.
 
-use crate::explain::explain;
-use crate::png_file::{DecodedPng, PngError, read_png};
+use crate::explain::{Explanation, explain};
+use crate::png_file::{PngError, read_png};
 use crate::reader_picture::ReaderPicture;
 use crate::target::{Target, find_name_in_file_name};
 use crate::{Answer, ComparedPictures, ReadFileError, Verdict, escape_for_terminal};
@@ -46,51 +46,46 @@ pub fn check_png<E: Into<Box<dyn error::Error + Send + Sync>>>(
     expected_name: Option<&str>,
     right_picture: impl FnOnce(&str) -> Result<RgbImage, E>,
 ) -> Result<Answer, CheckError> {
-    let DecodedPng { rgb, is_transparent, notes } = decode(png, file_name)?;
-    let yours = ReaderPicture::new(rgb);
+    let yours = decode(png, file_name)?;
     let name = expected_name
         .or_else(|| find_name_in_file_name(file_name, names_of_right_pictures().into_iter()))
         .or_else(|| yours.find_equal())
         .or_else(|| yours.find_mistakes().first().map(|(_, name)| *name))
         .ok_or(CheckError::UnknownName)?;
     let ours = right_picture(name).map_err(|error| CheckError::NoRightPicture(error.into()))?;
-    let answer = compare(yours, Target::of_locked(name, ours));
-    Ok(with_file_notes(answer, notes, is_transparent))
+    Ok(compare(yours, Target::of_locked(name, ours)))
 }
 
 /// Compares the picture in a PNG file with the scene that is generated from a name.
 pub fn check_scene_png(png: &[u8], file_name: &str, name: &str) -> Result<Answer, CheckError> {
-    let DecodedPng { rgb, is_transparent, notes } = decode(png, file_name)?;
-    let answer = compare(ReaderPicture::new(rgb), Target::of_scene(name));
-    Ok(with_file_notes(answer, notes, is_transparent))
+    Ok(compare(decode(png, file_name)?, Target::of_scene(name)))
 }
 
-fn decode(png: &[u8], file_name: &str) -> Result<DecodedPng, CheckError> {
+fn decode(png: &[u8], file_name: &str) -> Result<ReaderPicture, CheckError> {
     let file_name = escape_for_terminal(file_name);
-    read_png(png).map_err(|error| CheckError::Png { file_name, error })
+    let decoded = read_png(png).map_err(|error| CheckError::Png { file_name, error })?;
+    Ok(ReaderPicture::new(decoded))
 }
 
 /// Compares a picture with the target that it should equal, and explains any difference.
 fn compare(yours: ReaderPicture, target: Target) -> Answer {
-    if yours.rgb == target.picture {
-        return Answer::new(Verdict::Right, format!("This is {}, in every pixel.", target.title));
+    let Explanation { verdict, headline, details, causes, option_doubts } =
+        explain(&yours, &target);
+    let ours = target.picture;
+    let is_compared = verdict == Verdict::NotRight && yours.rgb.dimensions() == ours.dimensions();
+    let (verdict, headline, details) = if yours.is_transparent && verdict != Verdict::NotRight {
+        let without_alpha = format!("Without alpha, the verdict would be \"{}\".", verdict.words());
+        (Verdict::NotRight, without_alpha, [vec![headline], details].concat())
+    } else {
+        (verdict, headline, details)
+    };
+    Answer {
+        verdict,
+        file_notes: yours.file_notes,
+        headline,
+        details,
+        causes,
+        compared: is_compared.then_some(ComparedPictures { yours: yours.rgb, ours }),
+        option_doubts,
     }
-    let answer = explain(&yours, &target);
-    let (yours, ours) = (yours.rgb, target.picture);
-    let is_compared =
-        answer.verdict == Verdict::NotRight && yours.dimensions() == ours.dimensions();
-    let compared = is_compared.then_some(ComparedPictures { yours, ours });
-    Answer { compared, ..answer }
-}
-
-/// Adds the notes on the file to an answer. A picture with transparent pixels can't be right.
-fn with_file_notes(mut answer: Answer, notes: Vec<String>, is_transparent: bool) -> Answer {
-    if is_transparent && answer.verdict != Verdict::NotRight {
-        let without_alpha =
-            format!("Without alpha, the verdict would be \"{}\".", answer.verdict.words());
-        answer.verdict = Verdict::NotRight;
-        answer.details.insert(0, answer.headline);
-        answer.headline = without_alpha;
-    }
-    Answer { file_notes: notes, ..answer }
 }

@@ -1,5 +1,6 @@
-//! Explains a picture that isn't the one it should be.
+//! Explains whether a picture is the one it should be, and why not.
 
+use crate::Verdict;
 use crate::answer::{Cause, OptionDoubts, join_first};
 use crate::camera_fit::find_cameras;
 use crate::changed_number::find_changed_numbers;
@@ -10,7 +11,6 @@ use crate::reader_picture::ReaderPicture;
 use crate::target::Target;
 use crate::transformed::{describe_whole, uniform_colour};
 use crate::wrong_pixel::describe_wrong_pixel;
-use crate::{Answer, Verdict};
 use course::{Mistake, Step};
 
 /// The maximum number of causes that an answer names.
@@ -32,9 +32,31 @@ const TESTS: &str = "cargo test --no-fail-fast --test by_hand";
 /// The number of rays that may be computed to try out changes.
 const RAYS: u32 = 4_000_000;
 
-/// Explains how a picture differs from the target and, if a cause is known, why.
-pub(crate) fn explain(yours: &ReaderPicture, target: &Target) -> Answer {
+/// What there is to say about the pixels of a picture, whatever its file is like.
+pub(crate) struct Explanation {
+    pub verdict: Verdict,
+    /// The most helpful sentence.
+    pub headline: String,
+    /// The lines after the headline.
+    pub details: Vec<String>,
+    /// All changes we know of that reproduce this picture exactly.
+    pub causes: Vec<Cause>,
+    pub option_doubts: OptionDoubts,
+}
+
+/// Explains whether a picture equals the target and, if not, how it differs and which causes are
+/// known.
+pub(crate) fn explain(yours: &ReaderPicture, target: &Target) -> Explanation {
     let title = &target.title;
+    if yours.rgb == target.picture {
+        return Explanation {
+            verdict: Verdict::Right,
+            headline: format!("This is {title}, in every pixel."),
+            details: vec![],
+            causes: vec![],
+            option_doubts: OptionDoubts::default(),
+        };
+    }
     let mistakes = target.name.as_ref().map(|name| yours.find_mistakes_in(name));
     let mistakes = mistakes.unwrap_or_default();
     let options = target.scene.as_ref().and_then(|scene| find_options(scene, &yours.rgb));
@@ -42,7 +64,7 @@ pub(crate) fn explain(yours: &ReaderPicture, target: &Target) -> Answer {
     if let Some(options) = &options
         && (options.is_plain_angle() || mistakes.is_empty())
     {
-        return answer_with_options(options, title, mistakes);
+        return explain_options(options, title, mistakes);
     }
     let comparison = Comparison::new(target, &yours.rgb);
     let whole = match yours.find_equal() {
@@ -54,40 +76,44 @@ pub(crate) fn explain(yours: &ReaderPicture, target: &Target) -> Answer {
         causes.extend(comparison.iter().flat_map(find_changes));
     }
     let is_explained = whole.is_some() || !causes.is_empty();
-    // The most helpful lines come first: causes, then how the whole picture differs, then facts.
-    let mut lines = describe_causes(&causes, options.as_ref());
     let says_size =
         comparison.is_none() && (whole.is_none() || uniform_colour(&yours.rgb).is_some());
-    if says_size {
+    let size = says_size.then(|| {
         let ((w, h), (columns, rows)) = (yours.rgb.dimensions(), target.picture.dimensions());
-        lines.push(format!("Your picture is {w}×{h} pixels, and {title} {columns}×{rows}."));
-    }
+        format!("Your picture is {w}×{h} pixels, and {title} {columns}×{rows}.")
+    });
     let is_exercise = target.scene.is_none();
     let may_have_options = is_exercise && (whole.is_none() || says_size);
-    lines.extend(whole);
-    lines.extend(comparison.iter().flat_map(|comparison| {
+    let pixels = comparison.iter().flat_map(|comparison| {
         let facts = if is_explained { vec![] } else { find_facts(comparison) };
         describe_comparison(comparison, facts)
-    }));
-    if may_have_options {
-        lines.push(EXERCISE_NOTE.to_owned());
-    }
-    let headline = lines.remove(0);
-    Answer { details: lines, causes, ..Answer::new(Verdict::NotRight, headline) }
+    });
+    // The most helpful lines come first: causes, then how the whole picture differs, then facts.
+    let mut lines = describe_causes(&causes, options.as_ref())
+        .into_iter()
+        .chain(size)
+        .chain(whole)
+        .chain(pixels)
+        .chain(may_have_options.then(|| EXERCISE_NOTE.to_owned()));
+    let headline = lines.next().unwrap_or_else(|| format!("This isn't {title}."));
+    let details = lines.collect();
+    let option_doubts = OptionDoubts::default();
+    Explanation { verdict: Verdict::NotRight, headline, details, causes, option_doubts }
 }
 
-/// Builds the answer about a picture that a right program draws with other options.
-fn answer_with_options(
+/// Explains a picture that a right program draws with other options.
+fn explain_options(
     options: &Options,
     title: &str,
     mut mistakes: Vec<&'static Mistake>,
-) -> Answer {
+) -> Explanation {
     mistakes.retain(|mistake| mistake.file != OPTIONS_FILE);
-    let is_one_colour = options.is_one_colour();
-    Answer {
+    Explanation {
+        verdict: Verdict::OtherOptions,
+        headline: options.headline(title),
         details: Options::advice(),
-        option_doubts: OptionDoubts { mistakes, is_one_colour },
-        ..Answer::new(Verdict::OtherOptions, options.headline(title))
+        causes: vec![],
+        option_doubts: OptionDoubts { mistakes, is_one_colour: options.is_one_colour() },
     }
 }
 

@@ -1,5 +1,6 @@
 //! The picture that a reader has drawn.
 
+use crate::png_file::DecodedPng;
 use course::{Mistake, find_mistakes_with_hash, hash_picture, hashes_of_right_pictures};
 use image::RgbImage;
 use std::cell::OnceCell;
@@ -11,12 +12,16 @@ const MOST_HASHED_PIXELS: usize = 1 << 20;
 /// A reader's picture, which is hashed at most once.
 pub(crate) struct ReaderPicture {
     pub rgb: RgbImage,
+    /// Whether some pixels are not opaque. Such a picture can't be right.
+    pub is_transparent: bool,
+    /// One sentence for each unusual property of the file.
+    pub file_notes: Vec<String>,
     hash: OnceCell<Option<u64>>,
 }
 
 impl ReaderPicture {
-    pub fn new(rgb: RgbImage) -> Self {
-        Self { rgb, hash: OnceCell::new() }
+    pub fn new(DecodedPng { rgb, is_transparent, notes }: DecodedPng) -> Self {
+        Self { rgb, is_transparent, file_notes: notes, hash: OnceCell::new() }
     }
 
     /// Returns the hash of the picture, or None if the picture is too large to be in the table.
