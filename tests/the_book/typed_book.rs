@@ -11,13 +11,35 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::PathBuf;
 
-/// Edits that a page asks the reader to make before a command. Each has the end of the command, a
-/// file, the text to replace there, and the new text. An edit is undone when the files are written
-/// again before the next command.
-const EDITS: [[&str; 4]; 3] = [
-    ["$ cargo test -p locked", "steps/step01_rays/src/direction_colour.rs", "0.3 *", "0.31 *"],
-    ["rash.png", "steps/step05_phong/examples/mirror.rs", "10, OFFSET", "0, 0.0"],
-    ["shadowed.png", "steps/step05_phong/examples/mirror.rs", "10, OFFSET", "0, OFFSET"],
+/// An edit that a page asks the reader to make before a command. It is undone when the files are
+/// written again before the next command.
+struct Edit {
+    /// The end of the command.
+    command_end: &'static str,
+    file: &'static str,
+    old: &'static str,
+    new: &'static str,
+}
+
+const EDITS: [Edit; 3] = [
+    Edit {
+        command_end: "$ cargo test -p locked",
+        file: "steps/step01_rays/src/direction_colour.rs",
+        old: "0.3 *",
+        new: "0.31 *",
+    },
+    Edit {
+        command_end: "rash.png",
+        file: "steps/step05_phong/examples/mirror.rs",
+        old: "10, OFFSET",
+        new: "0, 0.0",
+    },
+    Edit {
+        command_end: "shadowed.png",
+        file: "steps/step05_phong/examples/mirror.rs",
+        old: "10, OFFSET",
+        new: "0, OFFSET",
+    },
 ];
 
 #[test]
@@ -65,11 +87,11 @@ fn run_and_verify(reader: &ReaderWorkspace, command: &PageCommand) -> Result<Vec
     for path in picture_paths(reader)? {
         fs::remove_file(path)?;
     }
-    for [end, path, old, new] in EDITS {
-        if format!("$ {}", command.line).ends_with(end) {
-            let text = fs::read_to_string(reader.folder.join(path))?;
-            ensure!(text.contains(old), "{path} has no {old} to change");
-            reader.write_if_changed(path, &text.replace(old, new))?;
+    for Edit { command_end, file, old, new } in EDITS {
+        if format!("$ {}", command.line).ends_with(command_end) {
+            let text = fs::read_to_string(reader.folder.join(file))?;
+            ensure!(text.contains(old), "{file} has no {old} to change");
+            reader.write_if_changed(file, &text.replace(old, new))?;
         }
     }
     // A release build would take minutes, and so would a benchmark.

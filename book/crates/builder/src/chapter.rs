@@ -496,7 +496,7 @@ impl<'a> Chapter<'a> {
             {
                 let markdown = &self.text[inner.clone()];
                 remaining = remaining.replacen(markdown, "", 1);
-                pictures.push([markdown, &**dest_url, &**title]);
+                pictures.push(ChapterPicture { markdown, file: dest_url, caption: title });
             }
         }
         let directive = Directive::parse(&remaining).filter(|directive| {
@@ -525,15 +525,14 @@ impl<'a> Chapter<'a> {
         }))
     }
 
-    /// The HTML of these pictures, each given as `[markdown, file, caption]`. Several pictures are
-    /// placed side by side.
+    /// The HTML of these pictures. Several pictures are placed side by side.
     fn figures_html(
         &mut self,
-        pictures: &[[&str; 3]],
+        pictures: &[ChapterPicture],
         interaction: Option<Interaction>,
     ) -> ChapterResult<String> {
         let mut figures = String::new();
-        for [markdown, file, caption] in pictures {
+        for ChapterPicture { markdown, file, caption } in pictures {
             let image =
                 picture::image_html_from_markdown(markdown, file, self.sources, &mut self.loading)?;
             figures += &picture::figure_html(&image, caption, interaction, &self.sources.values)?;
@@ -544,6 +543,13 @@ impl<'a> Chapter<'a> {
         }
         Ok(figures)
     }
+}
+
+/// A picture in a chapter, such as `![alt text](generated/name.png "Caption")`.
+struct ChapterPicture<'a> {
+    markdown: &'a str,
+    file: &'a str,
+    caption: &'a str,
 }
 
 /// How a picture with this directive, `live` or `preview`, reacts to a reader.

@@ -4,6 +4,7 @@ use crate::fault::Faults;
 use crate::page::Element;
 use crate::{Page, Site};
 use anyhow::Result;
+use serde_json::json;
 use std::collections::{BTreeMap, BTreeSet};
 use std::iter;
 
@@ -13,33 +14,39 @@ pub const READER_WORDS: &str = include_str!("../search_words.txt");
 /// The script that gives the search the text of the book. For each page, it has the name, the title
 /// and the sections. A section has an id, a title, its prose, its listings, and the phrases by
 /// which readers look for it. After the pages come the hints (the section to read, the compiler's
-/// messages, and a sentence) and the groups of synonyms.
+/// messages, and a sentence) and the groups of synonyms. All of these are arrays, as
+/// book/theme/search.js reads them.
 ///
 /// A section that `reader_words` names but the book doesn't have is a fault.
 pub fn index_script(site: &Site, reader_words: &str) -> Result<String> {
     let SearchVocabulary { mut phrases, hints, synonyms } = SearchVocabulary::parse(reader_words);
     let mut addresses = BTreeSet::new();
     let pages = site.pages_in_order().into_iter().map(|page| {
-        let sections = sections(page).map(|[id, title, prose, listings]| {
+        let sections = page_sections(page);
+        let title = sections.first().map(|section| section.title.clone());
+        let sections = sections.into_iter().map(|Section { id, title, prose, listings }| {
             let address = format!("{}#{id}", page.name);
             let mut phrases = phrases.remove(&*address).unwrap_or_default();
             phrases.extend(alt_texts_of_links_to(page, &id));
             addresses.insert(address);
-            (id, title, prose, listings, phrases)
+            json!([id, title, prose, listings, phrases])
         });
         let sections: Vec<_> = sections.collect();
-        let title = sections.first().map(|(_, title, ..)| title.clone());
-        (&page.name, title.unwrap_or_default(), sections)
+        json!([page.name, title.unwrap_or_default(), sections])
     });
     let index = serde_json::to_string(&pages.collect::<Vec<_>>())?;
     let is_stale = |address: &&&str| !addresses.contains(**address);
-    let named = phrases.keys().chain(hints.iter().map(|(address, ..)| address));
+    let named = phrases.keys().chain(hints.iter().map(|hint| &hint.address));
     Faults::ensure_none(
         named
             .filter(is_stale)
             .map(|address| format!("search_words.txt: there is no section {address} in the book")),
     )?;
-    let [hints, synonyms] = [serde_json::to_string(&hints)?, serde_json::to_string(&synonyms)?];
+    let hints = hints
+        .iter()
+        .map(|Hint { address, messages, sentence }| json!([address, messages, sentence]));
+    let hints = serde_json::to_string(&hints.collect::<Vec<_>>())?;
+    let synonyms = serde_json::to_string(&synonyms)?;
     Ok(format!(
         "book.searchIndex = {index};\nbook.searchHints = {hints};\nbook.searchSynonyms = {synonyms};\n"
     ))
@@ -50,10 +57,19 @@ pub fn index_script(site: &Site, reader_words: &str) -> Result<String> {
 struct SearchVocabulary<'a> {
     /// The phrases by which readers look for a section, keyed by the section's address.
     phrases: BTreeMap<&'a str, Vec<&'a str>>,
-    /// The section to read, the compiler's messages, and a sentence that says what to do.
-    hints: Vec<(&'a str, Vec<&'a str>, &'a str)>,
+    hints: Vec<Hint<'a>>,
     /// Words that mean nearly the same.
     synonyms: Vec<Vec<&'a str>>,
+}
+
+/// What to do about some messages of the compiler.
+#[derive(Debug, PartialEq)]
+struct Hint<'a> {
+    /// The address of the section to read.
+    address: &'a str,
+    messages: Vec<&'a str>,
+    /// A sentence that says what to do.
+    sentence: &'a str,
 }
 
 impl<'a> SearchVocabulary<'a> {
@@ -67,7 +83,8 @@ impl<'a> SearchVocabulary<'a> {
                 words.synonyms.push(split_at_commas(group).collect());
             } else if let Some(hint) = line.strip_prefix("! ") {
                 let (messages, sentence) = hint.split_once(" → ").unwrap_or((hint, ""));
-                words.hints.push((address, split_at_commas(messages).collect(), sentence));
+                let messages = split_at_commas(messages).collect();
+                words.hints.push(Hint { address, messages, sentence });
             } else {
                 words.phrases.entry(address).or_default().extend(split_at_commas(line));
             }
@@ -90,9 +107,19 @@ fn alt_texts_of_links_to<'a>(page: &'a Page, id: &str) -> Vec<&'a str> {
     links.flat_map(|link| page.descendants(link)).filter_map(|image| image.attr("alt")).collect()
 }
 
-/// The id, the title, the prose and the listings of each section of a page.
-fn sections(page: &Page) -> impl Iterator<Item = [String; 4]> {
-    let mut sections: Vec<[String; 4]> = vec![];
+/// A section of a page. Its texts are words with single blanks between them.
+#[derive(Debug, Default, PartialEq)]
+struct Section {
+    id: String,
+    title: String,
+    /// All its text except for listings.
+    prose: String,
+    /// The text of its listings.
+    listings: String,
+}
+
+fn page_sections(page: &Page) -> Vec<Section> {
+    let mut sections = Vec::<Section>::new();
     let main = page.elements.iter().find(|element| element.tag == "main");
     let mut end = 0;
     for part in main.into_iter().flat_map(|main| page.descendants(main)) {
@@ -104,19 +131,28 @@ fn sections(page: &Page) -> impl Iterator<Item = [String; 4]> {
         }
         end = part.text.end;
         if let ("h1" | "h2" | "h3", Some(id)) = (&*part.tag, part.attr("id")) {
-            let title = page.text(part).to_owned();
-            sections.push([id.to_owned(), title, String::new(), String::new()]);
-        } else if let Some([_, _, prose, listings]) = sections.last_mut() {
-            *prose += &(page.text_without(part, |part| is_hidden(part) || is_listing(part)) + " ");
+            let (id, title) = (id.to_owned(), join_words(page.text(part)));
+            sections.push(Section { id, title, ..Section::default() });
+        } else if let Some(section) = sections.last_mut() {
+            section.prose +=
+                &(page.text_without(part, |part| is_hidden(part) || is_listing(part)) + " ");
             // A listing may be in a folded box. What is hidden there isn't searched, either.
             let inside = if is_hidden(part) { &[] } else { page.descendants(part) };
             for listing in iter::once(part).chain(inside).filter(|part| is_listing(part)) {
-                *listings += &(page.text_without(listing, is_hidden) + " ");
+                section.listings += &(page.text_without(listing, is_hidden) + " ");
             }
         }
     }
-    let join_words = |text: &String| text.split_whitespace().collect::<Vec<_>>().join(" ");
-    sections.into_iter().map(move |texts| texts.each_ref().map(join_words))
+    for section in &mut sections {
+        section.prose = join_words(&section.prose);
+        section.listings = join_words(&section.listings);
+    }
+    sections
+}
+
+/// Replaces all whitespace between words with single blanks.
+fn join_words(text: &str) -> String {
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
 fn is_listing(element: &Element) -> bool {
@@ -138,10 +174,10 @@ mod tests {
     fn readers_words_are_not_empty_and_each_hint_has_its_sentence() {
         let SearchVocabulary { phrases, hints, synonyms } = SearchVocabulary::parse(READER_WORDS);
         assert!(!phrases.contains_key(""), "words before the first address");
-        for (_, messages, sentence) in &hints {
+        for Hint { messages, sentence, .. } in &hints {
             assert!(sentence.ends_with('.'), "{messages:?} has no sentence");
         }
-        let messages = hints.iter().flat_map(|(_, messages, _)| messages);
+        let messages = hints.iter().flat_map(|hint| &hint.messages);
         let mut all = phrases.values().flatten().chain(synonyms.iter().flatten()).chain(messages);
         assert!(all.all(|phrase| phrase.chars().any(char::is_alphanumeric)));
     }
