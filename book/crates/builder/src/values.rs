@@ -49,6 +49,9 @@ impl Values {
         let text = text.ok_or_else(|| ChapterError::UnknownValue(name.to_owned()))?;
         Ok(match notation {
             Notation::Prose => text,
+            // Figures write each readout once, as the pages show it. A page has no code with
+            // readouts in it, so a notation for code would only be passed through every function of
+            // `figures` that writes a number. The sign − occurs in a readout only before digits.
             Notation::Code => text.replace('−', "-"),
         })
     }
