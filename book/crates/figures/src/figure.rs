@@ -133,3 +133,20 @@ impl Figure {
         (values.are_finite() && (self.is_allowed)(&allowed)).then_some(allowed)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::find_figure;
+    use crate::probe::{I, J};
+
+    #[test]
+    fn probe_is_at_a_pixel_of_the_picture() {
+        let values = |name, pixel| find_figure(name).expect("a figure").values_at_pixel(pixel);
+        let corner = values("step02_sphere", [639.0, 0.0]).expect("a pixel");
+        assert_eq!((corner[I], corner[J]), (639.0, 0.0));
+        for outside in [[640.0, 0.0], [0.0, -1.0], [0.5, 0.0], [f64::NAN, 0.0]] {
+            assert_eq!(values("step02_sphere", outside), None, "{outside:?}");
+        }
+        assert_eq!(values("row", [0.0, 0.0]), None);
+    }
+}

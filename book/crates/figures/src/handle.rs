@@ -147,3 +147,29 @@ impl Handle {
         is_of_same_object || [self.horizontal, self.vertical].contains(&parameter)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::dvec2;
+
+    #[test]
+    fn angle_of_a_handle_wraps_to_the_right() {
+        const ANGLE: ParameterId = ParameterId::new("angle");
+        let view = View { origin: dvec2(100.0, 50.0), scale: DVec2::ONE };
+        let handle = Handle::of_angle("the arm", ANGLE, view, 40.0);
+        let values = |angle| [(ANGLE, angle)].into_iter().collect();
+        for (to, angle) in [
+            (-89.0, -89.0),
+            (0.0, 0.0),
+            (180.0, 180.0),
+            (269.0, 269.0),
+            (271.0, -89.0),
+            (-91.0, 269.0),
+        ] {
+            let position = (handle.locate)(&values(to)).expect("a position");
+            let new = (handle.coordinates_at)(&values(0.0), position).expect("an angle");
+            assert!((new - angle).length() < 1e-9, "{to}: {new}");
+        }
+    }
+}

@@ -120,7 +120,7 @@ pub(crate) fn check_student(
     let mut pictures: Vec<PictureReport> = vec![];
     let mut notes = vec![];
     for picture in names_of_right_pictures() {
-        let files = named.iter().filter(|(_, one)| *one == Some(picture)).map(|(file, _)| *file);
+        let files = named.iter().filter(|(_, name)| *name == Some(picture)).map(|(file, _)| *file);
         let files: Vec<_> = files.collect();
         let is_required = required.contains(&picture);
         if files.is_empty() && !is_required {
@@ -161,4 +161,34 @@ fn check_file(file: &FoundFile, picture: &'static str, earlier: &[PictureReport]
     let result = result.map(|answer| Answer { compared: None, ..answer });
     let feedback = judge(&result, earlier);
     FileReport { printable_path: file.printable_path.clone(), result, feedback }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Verdict;
+    use crate::class::feedback::FileVerdict;
+
+    fn file(verdict: FileVerdict) -> FileReport {
+        let feedback = Feedback { verdict, sentence: String::new(), causes: vec![] };
+        let printable_path = "step01_rays.png".to_owned();
+        FileReport { printable_path, result: Err(CheckError::UnknownName), feedback }
+    }
+
+    fn earns_point(verdicts: &[FileVerdict], file_count: usize) -> bool {
+        let files = verdicts.iter().copied().map(file).collect();
+        PictureReport { picture: "step01_rays", counts: true, files, file_count }.earns_point()
+    }
+
+    #[test]
+    fn picture_earns_its_point_if_each_of_its_files_does() {
+        let [right, options, wrong] =
+            [Verdict::Right, Verdict::OtherOptions, Verdict::NotRight].map(FileVerdict::Compared);
+        assert!(earns_point(&[right, options], 2));
+        assert!(!earns_point(&[right, wrong], 2));
+        assert!(!earns_point(&[FileVerdict::Unreadable], 1));
+        assert!(!earns_point(&[], 0));
+        // One file wasn't checked.
+        assert!(!earns_point(&[right], 2));
+    }
 }

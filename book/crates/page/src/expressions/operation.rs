@@ -65,3 +65,20 @@ pub fn split_operation(syntax: &Expr) -> Result<Operation<'_>, Refusal> {
         _ => return refuse(range_of(syntax), Fault::Unsupported),
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn tokens_are_written_without_whitespace_or_comments() {
+        for (text, tokens) in [
+            ("ray . start", "ray.start"),
+            ("f64 ::from( hit /* a hit */ )", "f64::from(hit)"),
+            ("a -\n    b // c", "a-b"),
+        ] {
+            let syntax: Expr = syn::parse_str(text).expect(text);
+            assert_eq!(write_tokens(&syntax), tokens, "{text}");
+        }
+    }
+}

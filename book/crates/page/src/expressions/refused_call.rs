@@ -430,3 +430,66 @@ impl Compiler<'_> {
         })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use course::all_listed_places;
+
+    #[test]
+    fn chain_is_near_if_each_of_its_words_is() {
+        assert!(is_near_chain("sphere.center", "sphere.centre"));
+        assert!(is_near_chain("spere.centre", "sphere.centre"));
+        for name in ["sphere", "sphere.radius", "sphere.centre.x"] {
+            assert!(!is_near_chain(name, "sphere.centre"), "{name}");
+        }
+    }
+
+    #[test]
+    fn parentheses_are_not_doubled() {
+        for (text, in_them) in
+            [("a + b", "(a + b)"), ("(a + b)", "(a + b)"), ("(a) + (b)", "((a) + (b))")]
+        {
+            assert_eq!(in_parentheses(text), in_them);
+        }
+    }
+
+    #[test]
+    fn method_can_be_called_on_what_is_atomic() {
+        for text in ["a", "2.0", "v.x", "v.dot(v)", "f(a)", "a[0]", "(a + b)"] {
+            assert!(is_atomic(text), "{text}");
+        }
+        for text in ["a + b", "-a", "a as f64", "if a { b } else { c }"] {
+            assert!(!is_atomic(text), "{text}");
+        }
+    }
+
+    #[test]
+    fn member_is_written_as_a_line_has_it() {
+        let write = |value_type, name| {
+            write_member(members(value_type).find(|(known, _)| *known == name).expect(name))
+        };
+        assert_eq!(write(ValueType::Vector, "x"), "x");
+        assert_eq!(write(ValueType::Vector, "length"), "length()");
+        assert_eq!(write(ValueType::Vector, "dot"), "dot(…)");
+    }
+
+    #[test]
+    fn near_path_is_a_name_of_the_place_or_a_function() {
+        let places = all_listed_places();
+        let place = places.iter().find(|place| place.name == "normal").expect("a place");
+        let names = ["sphere.centre", "f64::from(n)"];
+        let code = |compiler: &Compiler| compiler.new_slot(ValueType::F64, false);
+        let mut compiler = Compiler { place, text: "", names: vec![] };
+        compiler.names = names.map(|name| (name.to_owned(), code(&compiler))).into();
+        for (name, near) in [
+            ("sphere.center", Some("sphere.centre")),
+            ("n", Some("f64::from(n)")),
+            ("pi", Some("std::f64::consts::PI")),
+            ("DVec3::normalise", Some("DVec3::normalize")),
+            ("teapot", None),
+        ] {
+            assert_eq!(compiler.find_near_path(name).as_deref(), near, "{name}");
+        }
+    }
+}

@@ -196,3 +196,19 @@ impl Compiler<'_> {
         Ok(())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_an_assignment_changes_its_left_operand() {
+        let is_assignment = |sign| is_assignment(&syn::parse_str(sign).expect(sign));
+        for sign in ["+=", "%=", "<<="] {
+            assert!(is_assignment(sign), "{sign}");
+        }
+        for sign in ["+", "==", "!=", "<=", ">=", "<"] {
+            assert!(!is_assignment(sign), "{sign}");
+        }
+    }
+}
