@@ -30,7 +30,8 @@
         return [report, book.make("span", { class: "panels" }, ...panels)];
     }
 
-    /** @param {HTMLFormElement} form */
+    // Makes a form check what is chosen in it. Returns a function that checks what is dropped.
+    /** @param {HTMLFormElement} form @returns {(files: FileList) => void} */
     function activate(form) {
         const input = form.querySelector("input"), reset = form.querySelector("button"), output = form.querySelector("output");
         /** @type {Worker | null} */
@@ -79,16 +80,34 @@
         // an event.
         input.addEventListener("click", () => { input.value = ""; });
         form.addEventListener("reset", () => show(""));
-        form.addEventListener("drop", ({ dataTransfer: { files } }) => {
+        form.hidden = false;
+        return files => {
             if (files.length) input.files = files;
             checkFile(files[0]);
-        });
-        form.hidden = false;
+        };
     }
 
     /** @type {NodeListOf<HTMLFormElement>} */
     const forms = document.querySelectorAll("form[data-check]");
-    forms.forEach(activate);
-    // If a file is dropped beside a form, keep the browser from opening it in place of the page.
-    for (const kind of forms.length ? ["dragover", "drop"] : []) addEventListener(kind, event => event.preventDefault());
+    const droppers = new Map([...forms].map(form => [form, activate(form)]));
+
+    // Returns how far above or below a form a point is. It is 0 at the height of the form.
+    /** @param {HTMLFormElement} form @param {number} y */
+    function findDistance(form, y) {
+        const { top, bottom } = form.getBoundingClientRect();
+        return Math.max(top - y, y - bottom, 0);
+    }
+
+    // A file that is dropped beside a form goes to the nearest one. Otherwise the browser would open
+    // it in place of the page.
+    addEventListener("dragover", event => event.preventDefault());
+    addEventListener("drop", event => {
+        event.preventDefault();
+        const { clientY, dataTransfer: { files } } = event;
+        const [nearest] = [...forms].sort((one, other) => findDistance(one, clientY) - findDistance(other, clientY));
+        const isBeside = findDistance(nearest, clientY) > 0;
+        if (isBeside && !files.length) return;
+        droppers.get(nearest)(files);
+        if (isBeside) nearest.scrollIntoView({ block: "center" });
+    });
 }

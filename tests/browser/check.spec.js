@@ -23,8 +23,14 @@ for (const [name, asked] of forms.filter(([, , k]) => k === 0)) {
     // A browser only reports that the same file was chosen again if the field was empty.
     await input.dispatchEvent('click');
     await expect(input).toHaveValue('');
-    const isDropped = await page.locator('h1').evaluate(one =>
-      one.dispatchEvent(new DragEvent('drop', { dataTransfer: new DataTransfer(), bubbles: true, cancelable: true })));
+    // What is dropped beside the forms goes to the nearest, which is the first one here.
+    const isDropped = await page.locator('h1').evaluate(one => {
+      const dataTransfer = new DataTransfer();
+      dataTransfer.items.add(new File(['no picture'], 'notes.txt'));
+      return one.dispatchEvent(new DragEvent('drop', { dataTransfer, bubbles: true, cancelable: true }));
+    });
     expect(isDropped, 'a drop leaves the page').toBe(false);
+    await expect(output).toContainText('is not a PNG');
+    await expect(form).toBeInViewport();
   });
 }
