@@ -374,13 +374,19 @@
                 this.panel.addEventListener("toggle", () => this.openPanel(this.panel.open));
             }
             this.stage.classList.add("has-probe");
+            let pressed = { clientX: 0, clientY: 0 };
+            this.stage.addEventListener("pointerdown", event => { pressed = event; });
             this.stage.addEventListener("click", event => {
-                const isOnCross = event.target === this.probe.element;
-                if (event.target !== this.output && !isOnCross) return;
+                const { target, clientX, clientY } = event;
+                const isOnCross = target === this.probe.element;
+                // Another handle may cover the pixel. It was dragged if the pointer has moved.
+                const isDragged = Math.hypot(clientX - pressed.clientX, clientY - pressed.clientY) > 2;
+                const isOnHandle = !isDragged && this.handles.some(({ element }) => element === target);
+                if (target !== this.output && !isOnCross && !isOnHandle) return;
                 this.pixel = ""; // The same pixel may be chosen once more.
                 if (isOnCross) this.drawNextFrame("read");
                 else this.drawNextFrame("drag", this.probe.index, ...this.positionOfPointer(event));
-                this.probe.element.focus({ preventScroll: true });
+                if (!isOnHandle) this.probe.element.focus({ preventScroll: true });
             });
         }
 

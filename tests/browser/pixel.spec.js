@@ -54,6 +54,26 @@ test('the first click on a picture opens the panel beside it, and the address fo
   await expect(figure.locator('.hint b')).toHaveText('salmon, t = 9.7415');
 });
 
+test('a click on the handle of the disc chooses its pixel, and a drag does not', async ({ page, home }) => {
+  await open(page, `${home}step02_sphere.html`);
+  const figure = page.locator('figure[data-live="step02_sphere"]');
+  await figure.scrollIntoViewIfNeeded();
+  await figure.and(page.locator('[data-ready]')).waitFor({ timeout: 20_000 });
+  const handle = figure.locator('.handle-point');
+  await handle.click();
+  await expect(figure.locator('.hint b')).toHaveText('sphere, t = 4');
+  await expect(page).toHaveURL(/#pixel=3(19|20),1(79|80)$/);
+  const address = page.url();
+  await handle.hover();
+  await page.mouse.down();
+  const { x, y } = await handle.boundingBox();
+  await page.mouse.move(x + 40, y, { steps: 3 });
+  await page.mouse.up();
+  await expect(figure.locator('.hint b')).not.toHaveText('sphere, t = 4');
+  await page.waitForTimeout(300); // The address follows a pixel after a rest.
+  expect(page.url()).toBe(address);
+});
+
 for (const [name, seen] of Object.entries({
   step01_rays: 'V = (', step02_sphere: 'sphere, t = ', step03_nearest: 'salmon, t = ', step04_diffuse: 'salmon, t = ', step05_phong: 'salmon, t = ', way_back: 'salmon, t = ',
 })) {
