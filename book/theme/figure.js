@@ -6,6 +6,8 @@
     // While something moves, a picture may take FRAME milliseconds. If it takes longer, it is drawn
     // with fewer columns, and with all of them once nothing has moved for REST milliseconds.
     const FRAME = 60, REST = 150;
+    // Milliseconds that the picture of the cover may take with all the columns that are printed.
+    const LONGEST_REST_FRAME = 300;
 
     book.Refusal = class extends Error {};
 
@@ -89,9 +91,9 @@
             /** @type {HTMLImageElement} */
             const printed = this.root.querySelector("svg, img");
             const size = ["width", "height"].map(side => Number(printed.getAttribute(side)));
-            // The picture of the cover has more columns than the one that is drawn.
-            const scale = this.about.columns ? this.about.columns / size[0] : 1;
-            this.size = size.map(side => side * scale);
+            // The picture of the cover is printed with more columns than it has while it moves.
+            this.leastDivisor = this.about.columns ? this.about.columns / size[0] : 1;
+            this.size = size.map(side => side * this.leastDivisor);
             this.stage = book.make("div", { class: "stage" });
             this.stage.style.aspectRatio = this.size.join(" / ");
             printed.replaceWith(this.stage);
@@ -102,6 +104,8 @@
             this.output = printed;
             // Milliseconds that the picture takes with all its columns: a guess, until it is drawn.
             this.wholeTime = 2 * FRAME;
+            // The least of all these times, which says more than one that something has interrupted.
+            this.leastTime = Infinity;
             this.restTimer = 0;
             this.addressTimer = 0;
             this.frame = 0;
@@ -255,7 +259,10 @@
                 if (!reply.size) return;
                 clearTimeout(this.restTimer);
                 this.wholeTime = (performance.now() - start) * divisor ** 2;
-                if (divisor > 1) this.restTimer = setTimeout(() => this.draw(), REST);
+                this.leastTime = Math.min(this.leastTime, this.wholeTime);
+                const isFast = this.leastTime / this.leastDivisor ** 2 <= LONGEST_REST_FRAME;
+                const next = divisor === 1 && isFast ? this.leastDivisor : 1;
+                if (divisor > next) this.restTimer = setTimeout(() => this.draw("show", [], next), REST);
             } catch (error) {
                 this.values = this.reply.values;
                 this.showControls();

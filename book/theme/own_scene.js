@@ -26,13 +26,21 @@
         addCopies(figure, addTool, writeAddress);
     };
 
-    // The link below a preview leads to its scene.
+    // The link below a preview leads to its scene. Once the scene has changed, there's a Reset, too.
     /** @param {InteractiveFigure} figure */
     function followLink(figure) {
+        const { values } = figure;
         const link = figure.controls.querySelector("a");
+        const reset = book.make("button", { type: "button", class: "copy", hidden: "" }, "Reset");
+        reset.addEventListener("click", () => {
+            figure.values = values;
+            figure.draw();
+        });
+        figure.controls.querySelector(".hint").append(" ", reset);
         figure.afterShow = () => {
             const { address } = figure.reply;
             link.hash = address ? `scene=${address}` : "";
+            reset.hidden = !address;
         };
     }
 
