@@ -39,6 +39,20 @@ const book = /** @type {any} */ ({ root: document.documentElement });
 
     book.write = (element, text) => { if (element.textContent !== text) element.textContent = text; };
 
+    book.makeRange = (element, from, length) => {
+        const range = document.createRange();
+        const texts = document.createTreeWalker(element, NodeFilter.SHOW_TEXT);
+        range.selectNodeContents(element);
+        let at = 0;
+        for (let text = texts.nextNode(); text; text = texts.nextNode()) {
+            const end = at + text.textContent.length;
+            if (at <= from && from < end) range.setStart(text, from - at);
+            if (at < from + length && from + length <= end) range.setEnd(text, from + length - at);
+            at = end;
+        }
+        return range;
+    };
+
     book.copyBy = async (button, text, words = "Copied") => {
         const label = button.dataset.label ??= button.textContent;
         const isCopied = await navigator.clipboard?.writeText(text).then(() => true, () => false);

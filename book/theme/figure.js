@@ -117,12 +117,16 @@
             this.panel = /** @type {HTMLDetailsElement} */ (document.querySelector(`[data-panel="${name}"]`));
             /** @type {HTMLElement[]} */
             this.readouts = [];
+            /** @type {Set<string> | null} */
+            this.oldLines = null;
             /** @type {HTMLElement[]} */
             this.conditionalParts = [];
             if (this.isPreview) return;
             this.readouts = [...document.querySelectorAll(`[data-number^="${name}:"]`)];
             this.conditionalParts = [...document.querySelectorAll(`[data-when^="${name}:"]`)];
             this.code = document.querySelector(`[data-code="${name}"] code`);
+            // The listing may be coloured later, when it comes near, which replaces what was marked.
+            if (this.code) new MutationObserver(() => this.markChangedLines()).observe(this.code, { childList: true });
             this.companion = document.querySelector(`[data-companion="${name}"]`);
         }
 
@@ -312,10 +316,27 @@
             for (const element of this.readouts) book.write(element, readoutOf(element.dataset.number));
             for (const part of this.conditionalParts) part.hidden = readoutOf(part.dataset.when) === "";
             if (this.probe) this.showPixel(readouts);
-            if (this.code && this.code.textContent !== program) {
-                this.code.textContent = program;
-                book.colourCode(this.code);
+            if (this.code && this.code.textContent !== program) this.showProgram(program);
+        }
+
+        // Writes the scene's program into its listing.
+        /** @param {string} program */
+        showProgram(program) {
+            this.oldLines = new Set(this.code.textContent.split("\n"));
+            this.code.textContent = program;
+            book.colourCode(this.code);
+        }
+
+        // Marks the lines of the program that weren't there before the last change.
+        markChangedLines() {
+            if (!this.oldLines) return;
+            const ranges = [];
+            let from = 0;
+            for (const line of this.code.textContent.split("\n")) {
+                if (!this.oldLines.has(line)) ranges.push(book.makeRange(this.code, from, line.length));
+                from += line.length + 1;
             }
+            window.CSS.highlights?.set("changed", new Highlight(...ranges));
         }
 
         // The line below the picture: what the ray of the probe's pixel meets, and its colour. The hint is

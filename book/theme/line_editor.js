@@ -41,22 +41,6 @@
         book.make("div", {}, undo, redo, reset, close, copyLine, copyLink)));
     const tool = book.make("div", { "class": "tool" }, panel);
 
-    // Makes a range of `length` letters in an element, starting with the one at `from`.
-    /** @param {Element} element @param {number} from @param {number} length */
-    function makeRange(element, from, length) {
-        const range = document.createRange();
-        const texts = document.createTreeWalker(element, NodeFilter.SHOW_TEXT);
-        range.selectNodeContents(element);
-        let at = 0;
-        for (let text = texts.nextNode(); text; text = texts.nextNode()) {
-            const end = at + text.textContent.length;
-            if (at <= from && from < end) range.setStart(text, from - at);
-            if (at < from + length && from + length <= end) range.setEnd(text, from + length - at);
-            at = end;
-        }
-        return range;
-    }
-
     /** @type {(event: Event) => EditedLine | null} */
     const lineOf = event => /** @type {Element} */ (event.target).closest("[data-line]");
 
@@ -66,7 +50,7 @@
         const code = listing.querySelector("code");
         for (const place of listing.dataset.places.split(" ")) {
             const [name, from, length] = place.split(":");
-            const range = makeRange(code, Number(from), Number(length));
+            const range = book.makeRange(code, Number(from), Number(length));
             const line = book.make("span", {
                 "class": "line", "data-line": name, role: "textbox", "aria-label": `The value of ${name}`,
                 contenteditable: "plaintext-only", spellcheck: false, autocapitalize: "off", autocorrect: "off",
@@ -289,7 +273,7 @@
     function mark(line, from, to) {
         selected.ariaInvalid = String(line === selected);
         window.CSS.highlights?.delete("wrong");
-        if (line) window.CSS.highlights?.set("wrong", new Highlight(makeRange(line, from, Math.max(1, to - from))));
+        if (line) window.CSS.highlights?.set("wrong", new Highlight(book.makeRange(line, from, Math.max(1, to - from))));
     }
 
     // Opens the edits that are in the address, and selects the first. Listings are coloured before

@@ -18,6 +18,9 @@ test('a ball is dragged, coloured, undone and kept, and a sphere comes in', asyn
   await press('Redo');
   await page.locator('.tools input').fill('#00ff00');
   await expect(page).toHaveURL(/#scene=red-sphere-upwards:.*red-sphere-red:0,red-sphere-green:1,red-sphere-blue:0$/);
+  // The line that changed is marked in the program.
+  const changed = await page.evaluate(() => [...CSS.highlights.get('changed')].map(String));
+  expect(changed).toEqual([expect.stringMatching(/^ {12}ball\("red sphere".*\[0.0, 1.0, 0.0\], 0.7, 40\),$/)]);
   await press('+ Sphere');
   await expect(page).toHaveURL(/tenth-sphere-in-the-scene:1$/);
   await press('Download PNG');

@@ -17,6 +17,8 @@ interface Book {
    * out again.
    */
   write(element: Element, text: string): void;
+  /** Makes a range of `length` letters in an element, starting with the one at `from`. */
+  makeRange(element: Element, from: number, length: number): Range;
   /** Runs a function that writes HTML, which has to come from these scripts or the modules. */
   writeHTML(act: () => void): void;
   /** Allows the page to load a script, or start a worker, from this address. */
