@@ -289,13 +289,15 @@ const book = /** @type {any} */ ({ root: document.documentElement });
         const judge = text => {
             const errors = [text, text.replace(/,(?=\d{3})/g, "")].map(one => book.readNumber(one) - answer).filter(Number.isFinite);
             const [error] = errors.sort((one, other) => Math.abs(one) - Math.abs(other));
-            if (error === undefined) return "not a number";
-            if (Math.abs(error) <= tolerance * Math.abs(answer)) return "right";
-            return `${Math.abs(error) <= 0.05 * Math.abs(answer) ? "close, but " : ""}too ${error < 0 ? "small" : "large"}`;
+            const isRight = Math.abs(error) <= tolerance * Math.abs(answer);
+            if (error === undefined) return { isRight, words: "not a number" };
+            if (isRight) return { isRight, words: "right" };
+            return { isRight, words: `${Math.abs(error) <= 0.05 * Math.abs(answer) ? "close, but " : ""}too ${error < 0 ? "small" : "large"}` };
         };
         const check = () => {
-            verdict.textContent = judge(input.value);
-            verdict.classList.toggle("right", verdict.textContent === "right");
+            const { isRight, words } = judge(input.value);
+            verdict.textContent = words;
+            verdict.classList.toggle("right", isRight);
         };
         form.addEventListener("submit", event => {
             event.preventDefault();

@@ -5,7 +5,7 @@
 {
     // The module runs in a worker, so that the page stays usable meanwhile. Choosing a new file, or
     // Reset, terminates the worker.
-    const source = `const book = { ask: ${book.ask}, startModule: ${book.startModule} };
+    const source = `const book = { ask: ${book.ask}, startModule: ${book.startModule}, Refusal: ${book.Refusal} };
         onmessage = async ({ data: [module, file, request] }) => {
             const reply = book.ask(await book.startModule(module), request, new Uint8Array(file));
             postMessage({ ...reply, pixels: reply.pixels?.slice() });
@@ -13,6 +13,9 @@
         onunhandledrejection = ({ reason }) => { throw reason; };`;
     const address = URL.createObjectURL(new Blob([source], { type: "text/javascript" }));
     book.trustAddress(address);
+
+    // The form is for any picture: the name of the reader's file says which.
+    const ANY_PICTURE = "*";
 
     const LABELS = ["Yours", "Ours", "The difference: orange where yours is brighter, blue where it's darker"];
 
@@ -34,9 +37,10 @@
     /** @param {HTMLFormElement} form @returns {(files: FileList) => void} */
     function activate(form) {
         const input = form.querySelector("input"), reset = form.querySelector("button"), output = form.querySelector("output");
+        const expected = form.dataset.check === ANY_PICTURE ? null : form.dataset.check;
         /** @type {Worker | null} */
         let worker = null;
-        /** @param {number | ""} exitCode @param {(Node | string)[]} children */
+        /** @param {ExitCode | ""} exitCode @param {(Node | string)[]} children */
         const show = (exitCode, ...children) => {
             worker?.terminate();
             worker = null;
@@ -58,19 +62,21 @@
             const { scene: field } = /** @type {any} */ (form.elements);
             const scene = field?.value.trim().normalize();
             // Ignores a reply that arrives after Reset, or after a newer file was chosen.
-            /** @param {number | ""} exitCode @param {(Node | string)[]} children */
+            /** @param {ExitCode | ""} exitCode @param {(Node | string)[]} children */
             const showIfAsked = (exitCode, ...children) => {
                 if (asked === worker) show(exitCode, ...children);
             };
             asked.onmessage = ({ data }) => {
                 showIfAsked(data.code, ...makeReport(data));
                 if (data.code !== 0 || scene) return;
-                book.keep("right", form.dataset.check === "*" ? file.name.replace(/\.png$/i, "") : form.dataset.check, true);
+                book.keep("right", expected ?? file.name.replace(/\.png$/i, ""), true);
                 book.markRight();
             };
             const fail = () => showIfAsked(2, `This page can't check ${file.name}. In our folder, run: cargo run --bin check`);
             asked.onerror = fail;
-            const request = `check ${scene ? `@${scene}` : form.dataset.check}\n${file.name}`;
+            /** @type {ModuleRequest} */
+            const request = scene ? { request: "check-scene", fileName: file.name, person: scene }
+                : { request: "check", fileName: file.name, picture: expected };
             // `check` refuses larger files, so the rest of the file isn't needed.
             Promise.all([book.modules.compile("check"), file.slice(0, 2 ** 26 + 1).arrayBuffer()])
                 .then(parts => asked.postMessage([...parts, request]), fail);

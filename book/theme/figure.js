@@ -9,8 +9,6 @@
     // Milliseconds that the picture of the cover may take with all the columns that are printed.
     const LONGEST_REST_FRAME = 300;
 
-    book.Refusal = class extends Error {};
-
     /** @param {string} hash */
     const writeHash = hash => history.replaceState(null, "", hash || location.pathname + location.search);
 
@@ -29,13 +27,13 @@
             /** @type {(() => void) | undefined} */
             this.afterControls = undefined;
             /** @type {FigureAbout} */
-            this.about = this.request("about");
+            this.about = book.ask(module, { request: "about", figure: this.name });
             this.parameters = new Map(this.about.parameters.map(parameter => [parameter.id, parameter]));
             /** @type {ParameterValues} */
             this.defaults = Object.fromEntries(this.about.parameters.map(parameter => [parameter.id, parameter.default]));
             this.values = this.defaults;
             /** @type {FigureReply} */
-            this.reply = this.request("read", this.formatValues());
+            this.reply = book.ask(module, { request: "read", figure: this.name, values: this.values });
             this.findReadouts();
             this.makeStage();
             this.findControls();
@@ -74,15 +72,6 @@
                 return isFree();
             };
             if (!sides.some(isFreeAt)) isFreeAt("");
-        }
-
-        // Sends a request to the module, and returns the reply. Throws a `Refusal` if the reply is
-        // an error.
-        /** @param {string} verb @param {(string | number)[]} words */
-        request(verb, ...words) {
-            const reply = book.ask(this.module, [verb, this.name, ...words].join(" "));
-            if (reply.error) throw new book.Refusal(reply.error);
-            return reply;
         }
 
         // Makes the stage, which holds the drawing or the picture, and the handles on top of it.
@@ -138,34 +127,25 @@
         // Whether there is something to show with this value.
         /** @param {string} id @param {number} value */
         canShow(id, value) {
-            const { values } = this;
-            this.setValue(id, value);
             try {
-                this.request("read", this.formatValues());
+                book.ask(this.module, { request: "read", figure: this.name, values: { ...this.values, [id]: value } });
                 return true;
             } catch (error) {
                 if (!(error instanceof book.Refusal)) throw error;
                 return false;
-            } finally {
-                this.values = values;
             }
         }
 
-        // The values as a request has them.
-        formatValues() {
-            return Object.entries(this.values).map(([id, value]) => `${id}:${value}`).join(",");
-        }
-
-        /** @param {string} verb @param {number[]} words */
-        drawMoving(verb, ...words) {
-            this.draw(verb, words, [1, 2].find(k => this.wholeTime / k ** 2 <= FRAME) ?? 4);
+        /** @param {Gesture} gesture */
+        drawMoving(gesture) {
+            this.draw(gesture, [1, 2].find(k => this.wholeTime / k ** 2 <= FRAME) ?? 4);
         }
 
         // Draws in the next frame. If there are several gestures before that, only the last counts.
-        /** @param {string} verb @param {number[]} words */
-        drawNextFrame(verb, ...words) {
+        /** @param {Gesture} gesture */
+        drawNextFrame(gesture) {
             cancelAnimationFrame(this.frame);
-            this.frame = requestAnimationFrame(() => this.drawMoving(verb, ...words));
+            this.frame = requestAnimationFrame(() => this.drawMoving(gesture));
         }
 
         // Finds the controls, which the builder has printed: for each parameter a slider or a
@@ -203,7 +183,7 @@
                 const value = input.type === "checkbox" ? Number(input.checked) : book.readNumber(input.value);
                 if (Number.isNaN(value)) return;
                 this.setValue(id, value);
-                this.drawNextFrame("show");
+                this.drawNextFrame({ request: "show" });
             });
             // Unlike a number field, a text field also accepts 58,72 and 1/2. When the reader
             // leaves it, the nearest allowed number replaces what was typed. The arrow keys step as
@@ -216,7 +196,7 @@
                 if (!steps) return;
                 event.preventDefault();
                 this.setValue(id, this.values[id] + steps * step);
-                this.drawMoving("show");
+                this.drawMoving({ request: "show" });
                 input.value = String(this.values[id]);
             });
         }
@@ -252,13 +232,13 @@
         // Sends a request, and shows the reply. A picture has all its columns or, while something
         // moves, perhaps only a half or a quarter of them. If there is nothing to show, the last
         // figure stays, and the page says so.
-        /** @param {string} verb @param {number[]} words @param {number} divisor */
-        draw(verb = "show", words = [], divisor = 1) {
-            const { columns } = this.about;
-            const asked = columns && verb !== "read" ? [columns / divisor] : [];
+        /** @param {Gesture} gesture */
+        draw(gesture = { request: "show" }, divisor = 1) {
+            const { name: figure, values, about } = this;
+            const columns = about.columns && Math.round(about.columns / divisor);
             const start = performance.now();
             try {
-                const reply = this.request(verb, this.formatValues(), ...words, ...asked);
+                const reply = book.ask(this.module, { figure, values, columns, ...gesture });
                 this.show(reply);
                 if (!reply.size) return;
                 clearTimeout(this.restTimer);
@@ -266,7 +246,7 @@
                 this.leastTime = Math.min(this.leastTime, this.wholeTime);
                 const isFast = this.leastTime / this.leastDivisor ** 2 <= LONGEST_REST_FRAME;
                 const next = divisor === 1 && isFast ? this.leastDivisor : 1;
-                if (divisor > next) this.restTimer = setTimeout(() => this.draw("show", [], next), REST);
+                if (divisor > next) this.restTimer = setTimeout(() => this.draw({ request: "show" }, next), REST);
             } catch (error) {
                 this.values = this.reply.values;
                 this.showControls();
@@ -301,9 +281,8 @@
                 book.writeHTML(() => { this.printed.querySelector("g").innerHTML = reply.drawing; });
             }
             if (!this.companion) return;
-            const name = this.companion.id.replace("figure-", "");
-            const { drawing, error } = book.ask(this.module, `show ${name} ${this.formatValues()}`);
-            if (error) throw new book.Refusal(error);
+            const figure = this.companion.id.replace("figure-", "");
+            const { drawing } = book.ask(this.module, { request: "show", figure, values: this.values, columns: null });
             book.writeHTML(() => { this.companion.querySelector("g").innerHTML = drawing; });
         }
 
@@ -412,14 +391,14 @@
                 const isOnHandle = !isDragged && this.handles.some(({ element }) => element === target);
                 if (target !== this.output && !isOnCross && !isOnHandle) return;
                 this.pixel = ""; // The same pixel may be chosen once more.
-                if (isOnCross) this.drawNextFrame("read");
-                else this.drawNextFrame("drag", this.probe.index, ...this.positionOfPointer(event));
+                if (isOnCross) this.drawNextFrame({ request: "read" });
+                else this.drawNextFrame({ request: "drag", handle: this.probe.index, position: this.positionOfPointer(event) });
                 if (!isOnHandle) this.probe.element.focus({ preventScroll: true });
             });
         }
 
         // The position of a pointer in the coordinates of the figure.
-        /** @param {{ clientX: number, clientY: number }} pointer */
+        /** @param {{ clientX: number, clientY: number }} pointer @returns {[number, number]} */
         positionOfPointer({ clientX, clientY }) {
             const box = this.output.getBoundingClientRect();
             return [(clientX - box.left) / box.width * this.size[0], (clientY - box.top) / box.height * this.size[1]];
@@ -480,7 +459,7 @@
         figure.setValue(figure.probe.about.horizontal, i);
         figure.setValue(figure.probe.about.vertical, j);
         figure.pixel = "";
-        figure.drawMoving("show");
+        figure.drawMoving({ request: "show" });
         figure.probe.element.focus({ preventScroll: true });
     }
 

@@ -47,7 +47,7 @@
             if (!this.element.hasPointerCapture(event.pointerId)) return;
             if (event.shiftKey && this.about.depth) return this.changeDepth(event.movementY);
             const [x, y] = this.figure.positionOfPointer(event);
-            this.figure.drawNextFrame("drag", this.index, x + this.offset[0], y + this.offset[1]);
+            this.figure.drawNextFrame({ request: "drag", handle: this.index, position: [x + this.offset[0], y + this.offset[1]] });
         }
 
         // Moves the handle's object towards the reader, or away.
@@ -55,7 +55,7 @@
         changeDepth(length) {
             const { depth } = this.about;
             this.figure.setValue(depth, this.figure.values[depth] + length / 30);
-            this.figure.drawNextFrame("show");
+            this.figure.drawNextFrame({ request: "show" });
         }
 
         /** @param {KeyboardEvent} event */
@@ -73,7 +73,7 @@
             // Don't wait for the next frame: keys may repeat faster than frames are drawn, and no
             // press may be lost. Moving a probe doesn't change the picture, so only the numbers are
             // asked for.
-            this.figure.drawMoving(this === this.figure.probe ? "read" : "show");
+            this.figure.drawMoving({ request: this === this.figure.probe ? "read" : "show" });
         }
 
         // Moves the handle to an end of its range or, if there is nothing to show there, as close
@@ -87,7 +87,7 @@
                 while (Math.abs(limit - value) >= Math.abs(distance) && figure.canShow(horizontal, value + distance)) value += distance;
             }
             figure.setValue(horizontal, value);
-            figure.drawMoving(this === figure.probe ? "read" : "show");
+            figure.drawMoving({ request: this === figure.probe ? "read" : "show" });
         }
 
         // Puts the handle at its position in the last reply.

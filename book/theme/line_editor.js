@@ -208,14 +208,13 @@
             return say("A control character is in this line, which nobody sees. Reset brings back the book’s.");
         }
         const others = findEdited().filter(other => other !== line && !hasControl(readText(other)));
-        /** @param {EditedLine} one */
-        const words = one => `${one.dataset.line} ${readText(one)}`;
+        const lines = [line, ...others].map(one => ({ place: one.dataset.line, text: readText(one) }));
         /** @type {EditReply} */
         let reply;
         try {
             const module = await book.modules.get("expressions");
             if (line !== selected) return;
-            reply = book.ask(module, `edit ${columns} ${[line, ...others].map(words).join("\x1f")}`);
+            reply = book.ask(module, { request: "edit", columns, lines });
         } catch (error) {
             const { message } = /** @type {Error} */ (error);
             panel.classList.add("old");

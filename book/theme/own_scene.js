@@ -98,7 +98,7 @@
             // Some mail programs write a colon as %3A.
             const address = location.hash.slice("#scene=".length).replace(/%3A/gi, ":").replace(/%2C/gi, ",");
             try {
-                figure.show(figure.request("open", address));
+                figure.show(book.ask(figure.module, { request: "open", figure: figure.name, address }));
                 figure.root.scrollIntoView({ block: "nearest" });
             } catch (error) {
                 if (!(error instanceof book.Refusal)) throw error;
@@ -133,7 +133,7 @@
         field.addEventListener("input", () => {
             const bytes = field.value.match(/\w\w/g).map(byte => parseInt(byte, 16));
             findChannels().forEach((channel, k) => figure.setValue(channel, bytes[k] / 255));
-            figure.drawNextFrame("show");
+            figure.drawNextFrame({ request: "show" });
         });
         figure.afterControls = () => {
             const channels = findChannels();
@@ -151,9 +151,10 @@
         const rust = addTool("Copy Rust", () => book.copyBy(rust, figure.reply.program));
         addTool("Download PNG", () => {
             const large = book.make("canvas", {}), kept = book.make("canvas", {});
-            const reply = figure.request("show", figure.formatValues(), 2 * KEPT_COLUMNS);
+            const { module, name, values } = figure;
+            const reply = book.ask(module, { request: "show", figure: name, values, columns: 2 * KEPT_COLUMNS });
             book.paint(large, reply);
-            [kept.width, kept.height] = reply.size.map((/** @type {number} */ side) => side / 2);
+            [kept.width, kept.height] = reply.size.map(side => side / 2);
             kept.getContext("2d").drawImage(large, 0, 0, kept.width, kept.height);
             kept.toBlob(blob => book.make("a", { href: URL.createObjectURL(blob), download: "own_scene.png" }).click());
         });
@@ -165,7 +166,8 @@
     function dragObjects(figure) {
         /** @param {{ clientX: number, clientY: number }} pointer */
         const findHandle = pointer => {
-            const { object } = figure.request("pick", figure.formatValues(), ...figure.positionOfPointer(pointer));
+            const { module, name, values } = figure;
+            const { object } = book.ask(module, { request: "pick", figure: name, values, position: figure.positionOfPointer(pointer) });
             return figure.handles.find(handle => handle.object === object && !handle.element.hidden);
         };
         figure.stage.addEventListener("pointerdown", event => {

@@ -28,26 +28,28 @@
         drop: name => { delete modules[name]; },
     };
 
-    // A worker gets the source text of the next two functions, so they must not use anything but
-    // each other.
+    // A worker gets the source text of the next three, so they must not use anything but each other.
+    book.Refusal = class extends Error {};
+
     book.startModule = async ({ module, mistakes }) => {
         const { exports } = await WebAssembly.instantiate(module);
         const started = /** @type {any} */ (exports);
-        if (mistakes) book.ask(started, "mistakes", mistakes);
+        if (mistakes) book.ask(started, { request: "mistakes" }, mistakes);
         return started;
     };
 
     book.ask = (module, request, file) => {
         /** @type {(bytes: Uint8Array, at: number) => void} */
         const copyIn = (bytes, at) => new Uint8Array(module.memory.buffer, at, bytes.length).set(bytes);
-        const words = new TextEncoder().encode(request);
-        copyIn(words, module.make_room(0, words.length));
+        const json = new TextEncoder().encode(JSON.stringify(request));
+        copyIn(json, module.make_room(0, json.length));
         if (file) copyIn(file, module.make_room(1, file.length));
         const address = module.make_reply();
         const [text, letters, pixels, count] = new Uint32Array(module.memory.buffer, address, 4);
         /** @type {(at: number, length: number) => Uint8ClampedArray<ArrayBuffer>} */
         const copyOut = (at, length) => new Uint8ClampedArray(module.memory.buffer, at, length);
         const reply = JSON.parse(new TextDecoder().decode(copyOut(text, letters)));
+        if (reply.error) throw new book.Refusal(reply.error);
         if (reply.size) reply.pixels = copyOut(pixels, count);
         return reply;
     };

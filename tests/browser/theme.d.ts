@@ -66,16 +66,21 @@ interface Book {
     /** Stores a file that a generated script contains, encoded as base64. */
     provide(name: string, base64: string): void;
     /** Loads a module and what it needs, without starting it. */
-    compile(name: string): Promise<CompiledModule>;
+    compile(name: ModuleName): Promise<CompiledModule>;
     /** Returns the module of this name, started. */
-    get(name: string): Promise<Module>;
+    get(name: ModuleName): Promise<Module>;
     /** Forgets a module that failed, so that the next request starts it again. */
-    drop(name: string): void;
+    drop(name: ModuleName): void;
   };
   /** Starts a module, and passes it the list of mistakes if it needs that list. */
   startModule(compiled: CompiledModule): Promise<Module>;
-  /** Sends a request to a module, about a file if there is one, and returns the module's reply. */
-  ask(module: Module, request: string, file?: Uint8Array): any;
+  /** The error for a request that a module refuses. */
+  Refusal: new (message: string) => Error;
+  /**
+   * Sends a request to a module, with a file if it needs one, and returns the module's reply.
+   * Throws a refusal if the reply is an error.
+   */
+  ask<R extends ModuleRequest>(module: Module, request: R, file?: Uint8Array): ModuleReplies[R["request"]];
   /**
    * Paints the pixels of a reply on a canvas: all of them, or only `columns` columns, starting at
    * `column`.
@@ -90,8 +95,6 @@ interface Book {
   followScene(figure: InteractiveFigure): void;
   /** Makes a figure interactive. */
   activateFigure(root: HTMLElement): Promise<void>;
-  /** The error for a request that a module refuses. */
-  Refusal: new (message: string) => Error;
 
   // search-index.js
 
@@ -117,6 +120,8 @@ interface UndoHistory<State> {
 
 // The modules.
 
+type ModuleName = "live" | "check" | "expressions";
+
 interface CompiledModule {
   module: WebAssembly.Module;
   mistakes?: Uint8Array;
@@ -133,9 +138,82 @@ interface Pixels {
   pixels?: Uint8ClampedArray<ArrayBuffer>;
 }
 
-/** The reply of `check` to a file: its exit code, and the lines of its answer, headline first. */
+/**
+ * What the scripts ask the modules for. They send it as JSON, and the crate `page` parses it in
+ * request.rs, where the names are the same.
+ */
+type ModuleRequest = MistakesRequest | CheckRequest | CheckSceneRequest | EditRequest | FigureRequest;
+
+/** Keeps the list of mistakes, which is the file. */
+interface MistakesRequest {
+  request: "mistakes";
+}
+
+/** Checks the file. */
+interface CheckRequest {
+  request: "check";
+  fileName: string;
+  /** The name of the expected picture, or null if `check` should find that out. */
+  picture: string | null;
+}
+
+/** Checks whether the file is the picture of a person's scene. */
+interface CheckSceneRequest {
+  request: "check-scene";
+  fileName: string;
+  person: string;
+}
+
+/** Draws a step with edited lines in it. */
+interface EditRequest {
+  request: "edit";
+  columns: number;
+  /** The first is the one that the reader is editing now. */
+  lines: { place: string, text: string }[];
+}
+
+/** Asks for something about the figure of this name. */
+type FigureRequest = { figure: string } & (
+  /** Describes the parameters and the handles. */
+  | { request: "about" }
+  /** Sends everything that the page shows at these values. */
+  | { request: "show", values: ParameterValues, columns: number | null }
+  /** Sends the same without the drawing or the pixels. */
+  | { request: "read", values: ParameterValues }
+  /** Sends the same as "show", after a handle was dragged. */
+  | { request: "drag", values: ParameterValues, handle: number, position: [number, number], columns: number | null }
+  /** Finds the object at a position. */
+  | { request: "pick", values: ParameterValues, position: [number, number] }
+  /** Sends the same as "show", at the values of an address. */
+  | { request: "open", address: string }
+);
+
+/** The part of a request that depends on what the reader does. The figure adds the rest. */
+type Gesture =
+  | { request: "show" }
+  | { request: "read" }
+  | { request: "drag", handle: number, position: [number, number] };
+
+/** The reply to each request, unless it is an error. */
+interface ModuleReplies {
+  mistakes: {};
+  check: CheckReply;
+  "check-scene": CheckReply;
+  edit: EditReply;
+  about: FigureAbout;
+  show: FigureReply;
+  read: FigureReply;
+  drag: FigureReply;
+  pick: { object: string | null };
+  open: FigureReply;
+}
+
+/** The exit code of `check`: 0 if the picture is right, 1 if it isn't, and 2 if it can't be checked. */
+type ExitCode = 0 | 1 | 2;
+
+/** The reply of `check` to a file, with the lines of its answer, headline first. */
 interface CheckReply extends Pixels {
-  code: number;
+  code: ExitCode;
   lines: string[];
 }
 
@@ -218,6 +296,8 @@ interface Handle {
 }
 
 interface InteractiveFigure {
+  name: string;
+  module: Module;
   about: FigureAbout;
   parameters: Map<string, ParameterAbout>;
   values: ParameterValues;
@@ -240,18 +320,16 @@ interface InteractiveFigure {
   afterShow?: () => void;
   /** Called each time the controls have been shown. */
   afterControls?: () => void;
-  request(verb: string, ...words: (string | number)[]): any;
-  formatValues(): string;
   setValue(id: string, value: number): void;
   /** Whether there is something to show if one of the values is this. */
   canShow(id: string, value: number): boolean;
   controlOf(id: string): Control;
   selectObject(object: string | undefined): void;
   draw(): void;
-  drawMoving(verb: string, ...words: number[]): void;
-  drawNextFrame(verb: string, ...words: number[]): void;
+  drawMoving(gesture: Gesture): void;
+  drawNextFrame(gesture: Gesture): void;
   show(reply: FigureReply): void;
-  positionOfPointer(pointer: { clientX: number, clientY: number }): number[];
+  positionOfPointer(pointer: { clientX: number, clientY: number }): [number, number];
 }
 
 /** A line in a listing that the reader may edit. */

@@ -1,17 +1,19 @@
-//! Parameter values as one word, such as `red-sphere-radius:2,camera-roll:45`, which the page
-//! writes in requests and in the address of a scene.
+//! The values of parameters as pages have them: in the address of a scene, as one word such as
+//! `red-sphere-radius:2,camera-roll:45`, and in requests, as numbers by name.
 
-use crate::{Figure, ParameterValues};
-use std::collections::BTreeMap;
-use std::error::Error;
-use std::fmt::{self, Display, Formatter};
+use crate::{Figure, Parameter, ParameterValues};
+use thiserror::Error;
 
 /// What is wrong with the values in a request or an address.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Error)]
 pub enum AddressError {
     /// No parameter has this name.
+    #[error("The address speaks of “{0}”, and nothing here is called so.")]
     UnknownParameter(String),
     /// The value isn't a number within the parameter's range.
+    #[error(
+        "The address says “{value}” for {parameter}; allowed are {} to {}.", .range[0], .range[1]
+    )]
     NotAllowed {
         /// The name of the parameter.
         parameter: String,
@@ -21,21 +23,16 @@ pub enum AddressError {
         range: [f64; 2],
     },
     /// Each value is allowed, but all of them together leave nothing to show.
+    #[error("There is nothing to show at this address.")]
     NothingToShow,
 }
 
-impl Error for AddressError {}
-
-impl Display for AddressError {
-    fn fmt(&self, f: &mut Formatter) -> fmt::Result {
-        match self {
-            Self::UnknownParameter(name) => {
-                write!(f, "The address speaks of “{name}”, and nothing here is called so.")
-            }
-            Self::NotAllowed { parameter, value, range: [min, max] } => {
-                write!(f, "The address says “{value}” for {parameter}; allowed are {min} to {max}.")
-            }
-            Self::NothingToShow => f.write_str("There is nothing to show at this address."),
+impl AddressError {
+    fn not_allowed(parameter: &Parameter, value: impl ToString) -> Self {
+        Self::NotAllowed {
+            parameter: parameter.id.to_string(),
+            value: value.to_string(),
+            range: parameter.range,
         }
     }
 }
@@ -52,36 +49,39 @@ pub fn format_address(figure: &Figure, values: &ParameterValues) -> String {
 /// Parses an address, whose values must be within their ranges. A parameter that isn't mentioned
 /// has its default.
 pub fn parse_address(figure: &Figure, address: &str) -> Result<ParameterValues, AddressError> {
-    parse(figure, address, true)
-}
-
-/// Parses the values in a request, where a number outside its range becomes the nearest one within
-/// it. A parameter that isn't mentioned has its default.
-pub fn parse_values(figure: &Figure, text: &str) -> Result<ParameterValues, AddressError> {
-    parse(figure, text, false)
-}
-
-fn parse(figure: &Figure, text: &str, is_strict: bool) -> Result<ParameterValues, AddressError> {
-    let parameters: BTreeMap<_, _> =
-        figure.parameters.iter().map(|parameter| (parameter.id.to_string(), parameter)).collect();
     let mut values = figure.default_values();
-    for part in text.split(',').filter(|part| !part.is_empty()) {
+    for part in address.split(',').filter(|part| !part.is_empty()) {
         let (name, value) = part.split_once(':').unwrap_or((part, ""));
-        let parameter =
-            parameters.get(name).ok_or_else(|| AddressError::UnknownParameter(name.to_owned()))?;
+        let parameter = find_parameter(figure, name)?;
         let [min, max] = parameter.range;
-        let is_allowed = |number: &f64| {
-            if is_strict { (min..=max).contains(number) } else { number.is_finite() }
-        };
-        let number = value.parse().ok().filter(is_allowed);
-        let number = number.ok_or_else(|| AddressError::NotAllowed {
-            parameter: name.to_owned(),
-            value: value.to_owned(),
-            range: parameter.range,
-        })?;
+        let number = value.parse().ok().filter(|number| (min..=max).contains(number));
+        let number = number.ok_or_else(|| AddressError::not_allowed(parameter, value))?;
         values.set(parameter.id, number);
     }
     figure.snap_if_allowed(&values).ok_or(AddressError::NothingToShow)
+}
+
+/// The values in a request, where a number outside its range becomes the nearest one within it. A
+/// parameter that isn't mentioned has its default.
+pub fn allowed_values(
+    figure: &Figure,
+    numbers: &[(String, f64)],
+) -> Result<ParameterValues, AddressError> {
+    let mut values = figure.default_values();
+    for (name, number) in numbers {
+        let parameter = find_parameter(figure, name)?;
+        if !number.is_finite() {
+            return Err(AddressError::not_allowed(parameter, number));
+        }
+        values.set(parameter.id, *number);
+    }
+    figure.snap_if_allowed(&values).ok_or(AddressError::NothingToShow)
+}
+
+/// The parameter with the name that pages use.
+fn find_parameter<'a>(figure: &'a Figure, name: &str) -> Result<&'a Parameter, AddressError> {
+    let parameter = figure.parameters.iter().find(|parameter| parameter.id.is_displayed_as(name));
+    parameter.ok_or_else(|| AddressError::UnknownParameter(name.to_owned()))
 }
 
 #[cfg(test)]
@@ -106,20 +106,25 @@ mod tests {
     #[test]
     fn address_with_a_number_outside_its_range_is_an_error_and_a_request_takes_the_nearest() {
         let figure = find_figure("own_scene").expect("a figure");
-        let text = "red-sphere-radius:7";
-        let error = parse_address(figure, text).expect_err("a radius that is too large");
+        let error = parse_address(figure, "red-sphere-radius:7").expect_err("too large");
         assert!(matches!(error, AddressError::NotAllowed { range: [0.05, 3.0], .. }), "{error}");
-        let values = parse_values(figure, text).expect("values");
+        let request = |radius| [("red-sphere-radius".to_owned(), radius)];
+        let values = allowed_values(figure, &request(7.0)).expect("values");
         assert_eq!(format_address(figure, &values), "red-sphere-radius:3");
+        for radius in [f64::NAN, f64::INFINITY] {
+            assert!(allowed_values(figure, &request(radius)).is_err(), "{radius}");
+        }
         for text in ["red-sphere-radius:NaN", "red-sphere-radius:inf", "red-sphere-radius"] {
-            assert!(parse_values(figure, text).is_err(), "{text}");
+            assert!(parse_address(figure, text).is_err(), "{text}");
         }
     }
 
     #[test]
     fn unknown_parameter_is_named() {
         let figure = find_figure("row").expect("a figure");
-        let error = parse_values(figure, "moon:1").expect_err("no moon");
-        assert_eq!(error, AddressError::UnknownParameter("moon".to_owned()));
+        let expected = AddressError::UnknownParameter("moon".to_owned());
+        assert_eq!(parse_address(figure, "moon:1").as_ref(), Err(&expected));
+        let request = [("moon".to_owned(), 1.0)];
+        assert_eq!(allowed_values(figure, &request), Err(expected));
     }
 }

@@ -3,7 +3,7 @@
 //! A [`Figure`] shows a *drawing*, which has lines and labels, or a *picture*, which has pixels.
 //! Both are functions of the values of the figure's named *parameters*. The builder prints the
 //! result for the default values. When a reader moves a *handle* or a control, the page calls the
-//! same function, compiled for the browser: it sends a request and gets a [`reply`].
+//! same function, compiled for the browser: it sends a [`FigureRequest`] and gets a [`Reply`].
 //!
 //! *Readouts* are texts elsewhere on the page that depend on the values. The *trace* of a pixel is
 //! every number from its ray to its bytes, and a *probe* is the handle that selects the pixel.
@@ -45,5 +45,7 @@ pub use figure_list::{FIGURES, find_figure};
 
 mod address;
 mod reply;
-pub use address::{AddressError, format_address, parse_address, parse_values};
-pub use reply::{COLUMNS, Reply, RequestError, reply, rgba_bytes};
+mod request;
+pub use address::{AddressError, format_address, parse_address};
+pub use reply::{COLUMNS, Reply, reply, rgba_bytes};
+pub use request::{FigureRequest, FigureRequestError};

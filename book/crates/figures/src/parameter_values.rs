@@ -25,6 +25,13 @@ impl ParameterId {
         Self { object: Some(object), name }
     }
 
+    /// Whether this is how the id is displayed.
+    pub fn is_displayed_as(self, word: &str) -> bool {
+        let object = self.object.into_iter().flat_map(|object| object.chars().chain(['-']));
+        let letters = object.chain(self.name.chars());
+        letters.map(|c| if c == ' ' { '-' } else { c }).eq(word.chars())
+    }
+
     /// The object that the parameter belongs to, if there is one.
     pub fn object(self) -> Option<&'static str> {
         self.object
@@ -120,9 +127,15 @@ mod tests {
 
     #[test]
     fn id_is_displayed_as_one_word() {
-        assert_eq!(ParameterId::new("field of view").to_string(), "field-of-view");
-        assert_eq!(ParameterId::of("red sphere", "radius").to_string(), "red-sphere-radius");
-        assert_eq!(PointId("the start S").y().to_string(), "the-start-S-y");
+        for (id, word) in [
+            (ParameterId::new("field of view"), "field-of-view"),
+            (ParameterId::of("red sphere", "radius"), "red-sphere-radius"),
+            (PointId("the start S").y(), "the-start-S-y"),
+        ] {
+            assert_eq!(id.to_string(), word);
+            assert!(id.is_displayed_as(word) && !id.is_displayed_as(&word[1..]), "{word}");
+            assert!(!id.is_displayed_as(&format!("{word}-x")), "{word}");
+        }
     }
 
     #[test]

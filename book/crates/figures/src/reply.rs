@@ -1,12 +1,15 @@
-//! Replies to requests from a page.
+//! Replies to requests from a page about a figure.
 
-use crate::address::{format_address, parse_address, parse_values};
-use crate::{AddressError, Content, Figure, Mark, Parameter, ParameterValues, find_figure};
+use crate::address::{allowed_values, format_address, parse_address};
+use crate::{
+    Content, Figure, FigureRequest, FigureRequestError, Mark, Parameter, ParameterValues,
+    find_figure,
+};
 use course::{PICTURE_COLUMNS, json};
-use glam::{DVec2, dvec2};
+use glam::DVec2;
 use image::{Rgb, RgbImage};
 use std::error::Error;
-use std::fmt::{self, Display, Formatter};
+use std::fmt::Display;
 use std::ops::RangeInclusive;
 
 /// The columns of a picture, unless the request says otherwise.
@@ -29,92 +32,51 @@ impl Reply {
     pub fn from_json_fields(fields: impl IntoIterator<Item = (&'static str, String)>) -> Self {
         Self { text: json::object(fields), pixels: vec![] }
     }
-}
 
-/// Why a request can't be answered.
-#[derive(Clone, Debug, PartialEq)]
-pub enum RequestError {
-    /// The request isn't one of those listed at [`reply`].
-    UnknownRequest(String),
-    /// The figure can't have these values.
-    Address(AddressError),
-}
-
-impl Error for RequestError {}
-
-impl Display for RequestError {
-    fn fmt(&self, f: &mut Formatter) -> fmt::Result {
-        match self {
-            Self::UnknownRequest(request) => write!(f, "There is no reply to {request}."),
-            Self::Address(error) => error.fmt(f),
-        }
+    /// A reply that only says what went wrong.
+    pub fn from_error(error: impl Error) -> Self {
+        Self::from_json_fields([("error", quote(error))])
     }
 }
 
-impl From<AddressError> for RequestError {
-    fn from(error: AddressError) -> Self {
-        Self::Address(error)
-    }
-}
-
-/// Replies to a request such as `show row rays:7,field-of-view:60`.
-///
-/// - `about NAME`: the parameters and the handles.
-/// - `show NAME VALUES COLUMNS`: everything that the page shows at these values. A picture has at
-///   most this many columns; if the number is omitted, it has as many as in the book.
-/// - `read NAME VALUES`: the same without the drawing or the pixels.
-/// - `drag NAME VALUES HANDLE X Y COLUMNS`: as for `show`, after a handle is dragged to a position.
-///   Handles are numbered from 0, in the order of `about`.
-/// - `pick NAME VALUES X Y`: the object at a position, or null.
-/// - `open NAME ADDRESS`: as for `show`, at the values of an address.
-///
-/// A probe doesn't change the picture, so nothing is drawn after a probe is dragged.
-pub fn reply(request: &str) -> Reply {
-    try_reply(request).unwrap_or_else(|error| {
-        Reply::from_json_fields([("error", json::quote(&error.to_string()))])
-    })
-}
-
-fn try_reply(request: &str) -> Result<Reply, RequestError> {
-    let unknown = || RequestError::UnknownRequest(request.to_owned());
-    let (verb, rest) = request.split_once(' ').ok_or_else(unknown)?;
-    let (name, rest) = rest.split_once(' ').unwrap_or((rest, ""));
+/// Replies to a request about the figure with this name.
+pub fn reply(name: &str, request: &FigureRequest) -> Result<Reply, FigureRequestError> {
+    let unknown = || FigureRequestError::UnknownFigure(name.to_owned());
     let figure = find_figure(name).ok_or_else(unknown)?;
-    let (text, rest) = rest.split_once(' ').unwrap_or((rest, ""));
-    let numbers = rest.split_whitespace().map(str::parse).collect::<Result<Vec<f64>, _>>();
-    let numbers = numbers.map_err(|_| unknown())?;
-    let values = || parse_values(figure, text);
-    match (verb, &numbers[..]) {
-        ("about", _) => Ok(about_figure(figure)),
-        ("read", []) => Ok(reply_at(figure, &values()?, None)),
-        ("show", columns) => {
-            let columns = parse_columns(columns).ok_or_else(unknown)?;
-            Ok(reply_at(figure, &values()?, Some(columns)))
+    let reply = match request {
+        FigureRequest::About => about_figure(figure),
+        FigureRequest::Show { values, columns } => {
+            let columns = allowed_columns(*columns)?;
+            reply_at(figure, &allowed_values(figure, values)?, Some(columns))
         }
-        ("open", []) => Ok(reply_at(figure, &parse_address(figure, text)?, Some(COLUMNS))),
-        ("pick", [x, y]) => {
-            let scene = figure.editable_scene.as_ref().ok_or_else(unknown)?;
-            let object = (scene.object_at)(&values()?, dvec2(*x, *y));
-            Ok(Reply::from_json_fields([("object", quote_or_null(object))]))
-        }
-        ("drag", [handle, x, y, columns @ ..]) => {
+        FigureRequest::Read { values } => reply_at(figure, &allowed_values(figure, values)?, None),
+        FigureRequest::Drag { values, handle, position, columns } => {
+            let unknown = || FigureRequestError::UnknownHandle(*handle);
             let handle = figure.handles.get(*handle as usize).ok_or_else(unknown)?;
-            let columns = parse_columns(columns).ok_or_else(unknown)?;
-            let values = values()?;
-            let new = figure.drag_handle(&values, handle, dvec2(*x, *y)).unwrap_or(values);
-            Ok(reply_at(figure, &new, (handle.mark != Mark::Probe).then_some(columns)))
+            let columns = allowed_columns(*columns)?;
+            let values = allowed_values(figure, values)?;
+            let new = figure.drag_handle(&values, handle, DVec2::from(*position)).unwrap_or(values);
+            reply_at(figure, &new, (handle.mark != Mark::Probe).then_some(columns))
         }
-        _ => Err(unknown()),
-    }
+        FigureRequest::Pick { values, position } => {
+            let scene = figure.editable_scene.as_ref();
+            let scene = scene.ok_or(FigureRequestError::NoObjects)?;
+            let values = allowed_values(figure, values)?;
+            let object = (scene.object_at)(&values, DVec2::from(*position));
+            Reply::from_json_fields([("object", quote_or_null(object))])
+        }
+        FigureRequest::Open { address } => {
+            reply_at(figure, &parse_address(figure, address)?, Some(COLUMNS))
+        }
+    };
+    Ok(reply)
 }
 
-/// The number of columns that a request asks for, or None if it isn't allowed.
-fn parse_columns(numbers: &[f64]) -> Option<u32> {
-    match numbers {
-        [] => Some(COLUMNS),
-        [columns] => Some(*columns as u32).filter(|columns| ALLOWED_COLUMNS.contains(columns)),
-        _ => None,
-    }
+/// The number of columns that a request asks for, if it is allowed.
+fn allowed_columns(columns: Option<u32>) -> Result<u32, FigureRequestError> {
+    let columns = columns.unwrap_or(COLUMNS);
+    let is_allowed = ALLOWED_COLUMNS.contains(&columns);
+    is_allowed.then_some(columns).ok_or(FigureRequestError::Columns(columns))
 }
 
 /// What a page has to know about a figure before it shows anything.
@@ -220,40 +182,55 @@ pub fn rgba_bytes(image: &RgbImage) -> Vec<u8> {
 mod tests {
     use super::*;
 
+    /// Values for a request, written as in an address.
+    fn values(text: &str) -> Vec<(String, f64)> {
+        let parts = text.split(',').filter_map(|part| part.split_once(':'));
+        parts.map(|(id, value)| (id.to_owned(), value.parse().expect(text))).collect()
+    }
+
+    fn show(text: &str, columns: Option<u32>) -> FigureRequest {
+        FigureRequest::Show { values: values(text), columns }
+    }
+
+    fn drag(text: &str, handle: u32, position: [f64; 2]) -> FigureRequest {
+        FigureRequest::Drag { values: values(text), handle, position, columns: None }
+    }
+
     #[test]
-    fn request_that_is_none_has_an_error() {
-        for request in [
-            "",
-            "show",
-            "show nothing",
-            "dance row",
-            "show row rays:7 many",
-            "show step02_sphere i:1 0",
-            "show step02_sphere i:1 3841",
-            "show row moon:1",
-            "drag row rays:7 5 0 0",
-            "pick row rays:7 0 0",
+    fn request_that_cannot_be_fulfilled_has_an_error() {
+        let pick = FigureRequest::Pick { values: values("rays:7"), position: [0.0; 2] };
+        for (name, request, message) in [
+            ("nothing", show("", None), "There is no figure “nothing”."),
+            ("step02_sphere", show("i:1", Some(1)), "A picture can't have 1 columns."),
+            ("step02_sphere", show("i:1", Some(3841)), "A picture can't have 3841 columns."),
+            ("row", drag("rays:7", 5, [0.0; 2]), "This figure has no handle 5."),
+            ("row", pick, "This figure has no objects to pick."),
+            (
+                "row",
+                show("moon:1", None),
+                "The address speaks of “moon”, and nothing here is called so.",
+            ),
         ] {
-            assert!(try_reply(request).is_err(), "{request}");
-            assert!(reply(request).text.starts_with("{\"error\":"), "{request}");
+            let error = reply(name, &request).expect_err(message);
+            assert_eq!(error.to_string(), message);
         }
     }
 
     #[test]
     fn picture_has_at_most_the_columns_of_the_request() {
-        let size = |request| {
-            let reply = try_reply(request).expect(request);
-            let (_, size) = reply.text.rsplit_once("\"size\":").expect(request);
+        let size = |name, request| {
+            let reply = reply(name, &request).expect(name);
+            let (_, size) = reply.text.rsplit_once("\"size\":").expect(name);
             size.to_owned()
         };
-        assert_eq!(size("show step02_sphere  8"), "[8,5]}");
-        assert_eq!(size("show step01_rays columns:16 8"), "[8,5]}");
-        assert_eq!(size("show step01_rays columns:16"), "[16,9]}");
+        assert_eq!(size("step02_sphere", show("", Some(8))), "[8,5]}");
+        assert_eq!(size("step01_rays", show("columns:16", Some(8))), "[8,5]}");
+        assert_eq!(size("step01_rays", show("columns:16", None)), "[16,9]}");
     }
 
     #[test]
     fn dragging_a_probe_sends_no_pixels() {
-        let reply = try_reply("drag step02_sphere  0 10.5 20.5").expect("a reply");
+        let reply = reply("step02_sphere", &drag("", 0, [10.5, 20.5])).expect("a reply");
         assert!(reply.pixels.is_empty() && reply.text.contains("\"positions\":[[10.5,20.5]"));
     }
 }

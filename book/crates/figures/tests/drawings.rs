@@ -3,15 +3,15 @@
 
 use course::{Step, find_picture};
 use figures::{
-    COLUMNS, Content, FIGURES, Figure, ParameterValues, Reply, WIDTH, find_figure, format_address,
-    parse_address, reply,
+    COLUMNS, Content, FIGURES, Figure, FigureRequest, Parameter, ParameterValues, Reply, WIDTH,
+    find_figure, format_address, parse_address, reply,
 };
 use glam::{DVec2, dvec2};
 use insta::assert_snapshot;
 
 /// The reply to a request, split into lines. If it has pixels, it ends with the first 40 of them.
-fn reply_lines(request: &str) -> String {
-    let Reply { text, pixels } = reply(request);
+fn reply_lines(figure: &Figure, request: &FigureRequest) -> String {
+    let Reply { text, pixels } = reply(figure.name, request).unwrap_or_else(Reply::from_error);
     let text = json_lines(&text).replace("\\\"", "\"").replace("\\u000a", "\n");
     let pixels = pixels.chunks(4).take(40).map(|pixel| format!("\n{pixel:?}"));
     let text = ["<path", "<circle", "<text"]
@@ -49,10 +49,24 @@ fn json_lines(json: &str) -> String {
     lines
 }
 
-/// The requests, each followed by its reply.
-fn replies(requests: &[String]) -> String {
-    let parts = requests.iter().map(|request| format!("{request}\n{}\n", reply_lines(request)));
+/// The requests about a figure in words, each followed by its reply.
+fn replies(figure: &Figure, requests: &[(String, FigureRequest)]) -> String {
+    let parts = requests
+        .iter()
+        .map(|(words, request)| format!("{words}\n{}\n", reply_lines(figure, request)));
     parts.collect::<Vec<_>>().join("\n")
+}
+
+/// A request that shows the figure at these values. A picture has only eight columns.
+fn show_request(figure: &Figure, values: &ParameterValues) -> (String, FigureRequest) {
+    let columns = match figure.content {
+        Content::Drawing { .. } => None,
+        Content::Picture { .. } => Some(8),
+    };
+    let words = format!("show {} {}", figure.name, format_address(figure, values));
+    let words = columns.map_or(words.clone(), |columns| format!("{words} {columns}"));
+    let values = figure.parameters.iter().map(|Parameter { id, .. }| (id.to_string(), values[*id]));
+    (words, FigureRequest::Show { values: values.collect(), columns })
 }
 
 /// Allowed values spread over their ranges, different for each seed.
@@ -100,16 +114,10 @@ fn default_picture_is_that_of_the_program() {
 #[test]
 fn replies_are_as_locked() {
     for figure in FIGURES.iter() {
-        let mut requests = vec![format!("about {}", figure.name)];
-        requests.extend(values_to_lock(figure).iter().map(|values| {
-            let address = format_address(figure, values);
-            match figure.content {
-                Content::Drawing { .. } => format!("show {} {address}", figure.name),
-                // Pictures are drawn with only eight columns.
-                Content::Picture { .. } => format!("show {} {address} 8", figure.name),
-            }
-        }));
-        assert_snapshot!(figure.name, replies(&requests));
+        let mut requests = vec![(format!("about {}", figure.name), FigureRequest::About)];
+        let values = values_to_lock(figure);
+        requests.extend(values.iter().map(|values| show_request(figure, values)));
+        assert_snapshot!(figure.name, replies(figure, &requests));
     }
 }
 
@@ -197,6 +205,10 @@ fn replies_to_addresses_are_as_locked() {
         // The camera is at its own target.
         "camera-position-backwards:-1",
     ];
-    let requests = addresses.map(|address| format!("open own_scene {address}"));
-    assert_snapshot!("addresses", replies(&requests));
+    let requests = addresses.map(|address| {
+        let request = FigureRequest::Open { address: address.to_owned() };
+        (format!("open own_scene {address}"), request)
+    });
+    let own_scene = find_figure("own_scene").expect("a picture");
+    assert_snapshot!("addresses", replies(own_scene, &requests));
 }

@@ -1,22 +1,26 @@
 //! Replies to requests to check a picture.
 
-use ::check::{check_png, check_scene_png};
+use ::check::{Answer, CheckError, check_png, check_scene_png};
 use course::json;
 use figures::Reply;
 
-/// Runs `check` on a file, and replies with its report and the pixels of the difference. `words`
-/// starts with the name of the expected picture, with `*` to let `check` find that out, or with `@`
-/// and the name of the person whose scene it should be. After a line break comes the file's name.
-pub fn check(words: &str, file: &[u8]) -> Reply {
+/// Checks a file. `picture` is the name of the expected picture, or None to let `check` find that
+/// out.
+pub fn check(file: &[u8], file_name: &str, picture: Option<&str>) -> Reply {
     let draw = |name: &str| {
         let picture = course::find_picture(name).map(|picture| picture(&course::camera(), 1));
         picture.ok_or_else(|| format!("nothing draws {name}"))
     };
-    let (name, file_name) = words.split_once('\n').unwrap_or((words, ""));
-    let result = match name.strip_prefix('@') {
-        Some(scene) => check_scene_png(file, file_name, scene),
-        None => check_png(file, file_name, Some(name).filter(|name| *name != "*"), draw),
-    };
+    report(check_png(file, file_name, picture, draw))
+}
+
+/// Checks whether a file is the picture of this person's scene.
+pub fn check_scene(file: &[u8], file_name: &str, person: &str) -> Reply {
+    report(check_scene_png(file, file_name, person))
+}
+
+/// The report of `check`, and the pixels of the difference.
+fn report(result: Result<Answer, CheckError>) -> Reply {
     let answer = match result {
         Ok(answer) => answer,
         Err(error) => {

@@ -3,6 +3,7 @@
 use crate::expressions::{
     Expression, Fault, LineRefusal, draw_edited, draw_some_pixels, parse_expression,
 };
+use crate::{EditedLine, RequestError};
 use course::{
     Mistake, PICTURE_COLUMNS, Place, PlaceNote, Step, all_listed_places, find_mistakes_with_hash,
     hash_picture, hashes_of_right_pictures, json,
@@ -25,30 +26,37 @@ const MAX_OPERATIONS: u64 = 4_000_000;
 /// down.
 const DISTANCE: u32 = 12;
 
-/// A request from a page: the edited lines, each with its place, and the width of the picture.
-struct EditRequest<'a> {
+/// Draws a step with the reader's lines in it. Replies with the picture and the names that the
+/// first line may use, or with what is wrong with one of the lines. For a picture at full size, the
+/// reply also says whether it is right or the result of a known mistake.
+pub fn edit(columns: u32, lines: &[EditedLine]) -> Result<Reply, RequestError> {
+    Ok(Edit::new(columns, lines)?.reply())
+}
+
+/// The edited lines of a page, each with its place, and the width of the picture.
+struct Edit<'a> {
     columns: u32,
     lines: Vec<(Place, &'a str)>,
 }
 
-impl<'a> EditRequest<'a> {
-    /// Parses `COLUMNS NAME EXPRESSION`, optionally followed by more pairs of `NAME EXPRESSION`,
-    /// each after U+001F. Returns None if the width isn't allowed or there is no line to draw.
-    fn parse(words: &'a str) -> Option<Self> {
-        let (columns, lines) = words.split_once(' ')?;
-        let columns = columns.parse().ok().filter(|columns| COLUMNS.contains(columns))?;
-        let places = all_listed_places();
-        let lines: Vec<_> = lines.split('\u{1f}').collect();
-        // Each place occurs at most once on a page, so a longer list is malformed.
-        if lines.len() > places.len() {
-            return None;
+impl<'a> Edit<'a> {
+    /// Finds the places of the lines.
+    fn new(columns: u32, lines: &'a [EditedLine]) -> Result<Self, RequestError> {
+        if !COLUMNS.contains(&columns) {
+            return Err(RequestError::Columns(columns));
         }
-        let lines = lines.into_iter().filter_map(|line| {
-            let (name, text) = line.split_once(' ')?;
-            Some((places.iter().find(|place| place.name == name)?.clone(), text))
+        let places = all_listed_places();
+        // Each place occurs at most once on a page.
+        if lines.is_empty() || lines.len() > places.len() {
+            return Err(RequestError::LineCount(lines.len()));
+        }
+        let lines = lines.iter().map(|EditedLine { place: name, text }| {
+            let place = places.iter().find(|place| place.name == name).cloned();
+            let place = place.ok_or_else(|| RequestError::UnknownPlace(name.clone()));
+            place.map(|place| (place, &**text))
         });
-        let lines: Vec<_> = lines.collect();
-        (!lines.is_empty()).then_some(Self { columns, lines })
+        let lines = lines.collect::<Result<_, _>>()?;
+        Ok(Self { columns, lines })
     }
 
     /// Compiles all lines.
@@ -78,42 +86,37 @@ impl<'a> EditRequest<'a> {
         }
         draw(FULL_SIZE / 2, MAX_OPERATIONS)
     }
-}
 
-/// Draws a step with the reader's lines in it. Replies with the picture and the names that the
-/// first line may use, or with what is wrong: in which line, and in which range of it, in UTF-16
-/// code units. For a picture at full size, the reply also says whether it is right or the result of
-/// a known mistake. See [`EditRequest::parse`] for the format of `words`.
-pub fn edit(words: &str) -> Reply {
-    let Some(edit) = EditRequest::parse(words) else {
-        return Reply::default();
-    };
-    match edit.draw() {
-        Ok(picture) => {
-            let note = match (edit.columns, picture.width()) {
-                (FULL_SIZE, FULL_SIZE) => describe(&edit, &picture).unwrap_or_default(),
-                (FULL_SIZE, _) => "Drawn smaller, as it takes long to compute.".to_owned(),
-                _ => String::new(),
-            };
-            let (place, _) = &edit.lines[0];
-            let names = place.variables.iter().map(|(name, _)| json::quote(name));
-            let reply = Reply::from_json_fields([
-                ("size", json::list([picture.width(), picture.height()])),
-                ("known", json::quote(&note)),
-                ("names", json::list(names)),
-            ]);
-            Reply { pixels: figures::rgba_bytes(&picture), ..reply }
-        }
-        Err(LineRefusal { place, refusal }) => {
-            let line = edit.lines.iter().find(|(edited, _)| edited.name == place);
-            let text = line.map_or("", |(_, text)| text);
-            let range = utf16_range(text, &refusal.range);
-            Reply::from_json_fields([
-                ("line", json::quote(place)),
-                ("from", range.start.to_string()),
-                ("to", range.end.to_string()),
-                ("fault", json::quote(&refusal.to_string())),
-            ])
+    /// The picture and the names that the first line may use, or what is wrong: in which line, and
+    /// in which range of it, in UTF-16 code units.
+    fn reply(&self) -> Reply {
+        match self.draw() {
+            Ok(picture) => {
+                let note = match (self.columns, picture.width()) {
+                    (FULL_SIZE, FULL_SIZE) => describe(self, &picture).unwrap_or_default(),
+                    (FULL_SIZE, _) => "Drawn smaller, as it takes long to compute.".to_owned(),
+                    _ => String::new(),
+                };
+                let (place, _) = &self.lines[0];
+                let names = place.variables.iter().map(|(name, _)| json::quote(name));
+                let reply = Reply::from_json_fields([
+                    ("size", json::list([picture.width(), picture.height()])),
+                    ("known", json::quote(&note)),
+                    ("names", json::list(names)),
+                ]);
+                Reply { pixels: figures::rgba_bytes(&picture), ..reply }
+            }
+            Err(LineRefusal { place, refusal }) => {
+                let line = self.lines.iter().find(|(edited, _)| edited.name == place);
+                let text = line.map_or("", |(_, text)| text);
+                let range = utf16_range(text, &refusal.range);
+                Reply::from_json_fields([
+                    ("line", json::quote(place)),
+                    ("from", range.start.to_string()),
+                    ("to", range.end.to_string()),
+                    ("fault", json::quote(&refusal.to_string())),
+                ])
+            }
         }
     }
 }
@@ -125,7 +128,7 @@ fn utf16_range(text: &str, bytes: &Range<usize>) -> Range<usize> {
 }
 
 /// Describes a picture that is right, or that a listed mistake in the edited line would produce.
-fn describe(edit: &EditRequest, picture: &RgbImage) -> Option<String> {
+fn describe(edit: &Edit, picture: &RgbImage) -> Option<String> {
     let lines = &edit.lines;
     let (place, _) = lines.first()?;
     let (step, hash) = (place.step().name(), hash_picture(picture));
@@ -154,7 +157,7 @@ fn describe(edit: &EditRequest, picture: &RgbImage) -> Option<String> {
 /// Says which later step, if any, would show what the lines change. They change no pixel of step 2,
 /// whose picture shows whether a ray meets the ball, but not at which t. Returns None if this takes
 /// too long to find out.
-fn describe_later_steps(edit: &EditRequest) -> Option<String> {
+fn describe_later_steps(edit: &Edit) -> Option<String> {
     let lines = edit.expressions().ok()?;
     let blind = "This picture can't show what you changed here: it shows whether a ray meets the \
                  ball, not at which t.";
@@ -192,35 +195,29 @@ fn describe_later_steps(edit: &EditRequest) -> Option<String> {
 mod tests {
     use super::*;
 
-    fn parse(words: &str) -> Option<(u32, Vec<(&str, &str)>)> {
-        let edit = EditRequest::parse(words)?;
-        let lines = edit.lines.iter().map(|(place, text)| (place.name, *text));
-        Some((edit.columns, lines.collect()))
+    fn edited<const N: usize>(lines: [(&str, &str); N]) -> [EditedLine; N] {
+        lines.map(|(place, text)| EditedLine { place: place.to_owned(), text: text.to_owned() })
+    }
+
+    fn reply<const N: usize>(columns: u32, lines: [(&str, &str); N]) -> Reply {
+        edit(columns, &edited(lines)).expect("lines of the book")
     }
 
     #[test]
-    fn words_are_columns_and_lines() {
-        assert_eq!(parse("640 a v.dot(v)"), Some((640, vec![("a", "v.dot(v)")])));
-        let two = Some((16, vec![("normal", "p"), ("byte", "")]));
-        assert_eq!(parse("16 normal p\u{1f}byte "), two);
-    }
-
-    #[test]
-    fn unknown_places_are_left_out() {
-        assert_eq!(parse("320 nowhere 1.0\u{1f}a 1.0"), Some((320, vec![("a", "1.0")])));
-        assert_eq!(parse("320 nowhere 1.0"), None);
-    }
-
-    #[test]
-    fn sizes_that_no_page_asks_for_are_refused() {
-        for words in ["15 a 1.0", "641 a 1.0", "-1 a 1.0", "many a 1.0", "640", ""] {
-            assert_eq!(parse(words), None, "{words}");
+    fn edit_that_no_page_can_have_is_an_error() {
+        let error = |columns, lines: &[EditedLine]| edit(columns, lines).expect_err("an error");
+        let lines = edited([("a", "1.0"), ("nowhere", "1.0")]);
+        for columns in [0, 15, 641] {
+            assert_eq!(error(columns, &lines[..1]), RequestError::Columns(columns));
         }
+        assert_eq!(error(640, &[]), RequestError::LineCount(0));
+        assert_eq!(error(640, &vec![lines[0].clone(); 1000]), RequestError::LineCount(1000));
+        assert_eq!(error(640, &lines), RequestError::UnknownPlace("nowhere".to_owned()));
     }
 
     #[test]
     fn reply_has_one_fault_or_one_picture() {
-        let (fault, picture) = (edit("16 a 1"), edit("16 a 1.0"));
+        let (fault, picture) = (reply(16, [("a", "1")]), reply(16, [("a", "1.0")]));
         assert_eq!(
             fault.text,
             r#"{"line":"a","from":0,"to":1,"fault":"Write 1.0: Rust doesn't mix whole numbers with others."}"#
@@ -232,8 +229,8 @@ mod tests {
     #[test]
     fn fault_is_where_javascript_counts_it() {
         let from_and_to = |text: &str| {
-            let reply = edit(&format!("16 a 1.0\u{1f}disc {text}")).text;
-            let (_, rest) = reply.split_once("\"from\":").expect("a fault");
+            let reply = reply(16, [("a", "1.0"), ("disc", text)]);
+            let (_, rest) = reply.text.split_once("\"from\":").expect("a fault");
             rest.split(",\"fault\"").next().map(str::to_owned).expect("its range")
         };
         assert_eq!(from_and_to("b − 4.0"), "2,\"to\":3");
@@ -246,13 +243,19 @@ mod tests {
 
     #[test]
     fn branches_of_vectors_are_drawn_in_full_size() {
-        for line in [
-            "diffuse if n.dot(l) > 0.5 { material.diffuse } else if n.dot(l) > 0.0 \
+        for (place, line) in [
+            (
+                "diffuse",
+                "if n.dot(l) > 0.5 { material.diffuse } else if n.dot(l) > 0.0 \
              { material.diffuse * 0.4 } else { DVec3::ZERO }",
-            "sky if v.x * v.x + v.y * v.y < 0.04 { DVec3::new(1.0, 0.9, 0.2) } \
+            ),
+            (
+                "sky",
+                "if v.x * v.x + v.y * v.y < 0.04 { DVec3::new(1.0, 0.9, 0.2) } \
              else { 0.7 + 0.3 * v }",
+            ),
         ] {
-            let text = edit(&format!("640 {line}")).text;
+            let text = reply(640, [(place, line)]).text;
             assert!(text.contains("\"size\":[640,360]"), "{line}: {text}");
         }
     }
@@ -260,8 +263,8 @@ mod tests {
     #[test]
     fn long_line_is_drawn_smaller() {
         for operators in [20, 60] {
-            let line = format!("sky v{}", "+v".repeat(operators));
-            let text = edit(&format!("640 {line}")).text;
+            let line = format!("v{}", "+v".repeat(operators));
+            let text = reply(640, [("sky", &line)]).text;
             assert!(text.contains("\"size\":[320,180]"), "{line}: {text}");
             assert!(text.contains("Drawn smaller"), "{line}: {text}");
         }

@@ -15,24 +15,36 @@ pub mod expressions;
 #[allow(unsafe_code)]
 mod exports;
 
-use figures::Reply;
+mod json;
+mod request;
 
-/// Replies to a request. The request `mistakes` brings the list of mistakes in `file`, because its
-/// texts aren't compiled into any module. A request that starts with `check` or `edit` goes to the
-/// function of that name, and any other to [`figures::reply`].
+use figures::Reply;
+pub use request::{EditedLine, Request, RequestError};
+
+/// Replies to a request, which may come with a file. If that isn't possible, the reply is an error.
 pub fn reply(request: &str, file: &[u8]) -> Reply {
-    match request.split_once(' ') {
-        None if request == "mistakes" => {
+    let result = Request::parse(request).and_then(|request| try_reply(&request, file));
+    result.unwrap_or_else(Reply::from_error)
+}
+
+/// Replies to a request with the part of this package that it is for.
+pub fn try_reply(request: &Request, file: &[u8]) -> Result<Reply, RequestError> {
+    match request {
+        Request::Mistakes => {
             course::provide_mistake_texts(str::from_utf8(file).unwrap_or_default());
-            Reply::from_json_fields([])
+            Ok(Reply::from_json_fields([]))
         }
         #[cfg(feature = "check")]
-        Some(("check", words)) => check::check(words, file),
+        Request::Check { file_name, picture } => {
+            Ok(check::check(file, file_name, picture.as_deref()))
+        }
+        #[cfg(feature = "check")]
+        Request::CheckScene { file_name, person } => {
+            Ok(check::check_scene(file, file_name, person))
+        }
         #[cfg(feature = "expressions")]
-        Some(("edit", words)) => edit::edit(words),
+        Request::Edit { columns, lines } => edit::edit(*columns, lines),
         #[cfg(feature = "live")]
-        _ => figures::reply(request),
-        #[cfg(not(feature = "live"))]
-        _ => Reply::default(),
+        Request::Figure { figure, request } => Ok(figures::reply(figure, request)?),
     }
 }

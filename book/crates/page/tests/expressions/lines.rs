@@ -3,6 +3,7 @@
 
 use course::{Place, all_listed_places};
 use page::expressions::{Fault, Refusal, draw_edited, parse_expression};
+use page::{EditedLine, Request, try_reply};
 use std::ops::Range;
 
 #[test]
@@ -108,34 +109,44 @@ fn text_is_too_long_from_251_bytes_on() {
     assert!(draw("a", &(longest + " ")).is_err());
 }
 
-#[test]
-fn more_lines_than_there_are_places_are_not_drawn() {
-    let lines = ["normal p"; 1000].join("\u{1f}");
-    assert_eq!(page::reply(&format!("edit 640 {lines}"), &[]).text, "");
+/// The text of the reply to edited lines, each with the name of its place.
+fn reply_text(lines: &[(&str, &str)]) -> String {
+    let lines = lines
+        .iter()
+        .map(|(place, text)| EditedLine { place: (*place).to_owned(), text: (*text).to_owned() });
+    let request = Request::Edit { columns: 640, lines: lines.collect() };
+    try_reply(&request, &[]).expect("a reply").text
 }
 
 #[test]
 fn reply_is_about_the_lines_and_no_others() {
-    for (lines, words) in [
-        ("near (-b - d.sqrt()) / (2.0 * a) + 0.1", "The picture of step 4 would show it"),
-        ("near -(-b - d.sqrt()) / (2.0 * a)", "The picture of step 3 would show it"),
-        ("near (-b + d.sqrt()) / (2.0 * a)", "The picture of step 4 would show it"),
-        ("v ray.direction.normalize()", "The picture of step 4 would show it"),
-        ("c s.length_squared() - self.radius.powi(2)", "none differs there, either"),
-        ("b 2.0 * v.dot(s)\u{1f}a v.length_squared()", "none differs there, either"),
+    let cases: [(&[(&str, &str)], &str); 13] = [
+        (&[("near", "(-b - d.sqrt()) / (2.0 * a) + 0.1")], "The picture of step 4 would show it"),
+        (&[("near", "-(-b - d.sqrt()) / (2.0 * a)")], "The picture of step 3 would show it"),
+        (&[("near", "(-b + d.sqrt()) / (2.0 * a)")], "The picture of step 4 would show it"),
+        (&[("v", "ray.direction.normalize()")], "The picture of step 4 would show it"),
+        (&[("c", "s.length_squared() - self.radius.powi(2)")], "none differs there, either"),
+        (&[("b", "2.0 * v.dot(s)"), ("a", "v.length_squared()")], "none differs there, either"),
         (
-            "b 2.0 * s.dot(v)\u{1f}misses d <= 0.0",
+            &[("b", "2.0 * s.dot(v)"), ("misses", "d <= 0.0")],
             "Not one pixel differs from the book's picture.\"",
         ),
-        ("nearer t < best.as_ref().map_or(f64::INFINITY, |hit| hit.t)", "Not one pixel differs"),
-        ("normal p - sphere.centre", "n is not a unit vector"),
-        ("normal p - sphere.centre\u{1f}byte 255.0 * intensity + 0.5", "\"known\":\"\""),
-        ("byte intensity + 0.5", "\"known\":\"\""),
-        ("normal p\u{1f}attenuation (1.0", "\"line\":\"attenuation\",\"from\":0,\"to\":1"),
-        ("normal p\u{7}", "\"line\":\"normal\",\"from\":1,\"to\":2"),
-    ] {
-        let text = page::reply(&format!("edit 640 {lines}"), &[]).text;
-        assert!(text.contains(words), "{lines}: {text}");
+        (
+            &[("nearer", "t < best.as_ref().map_or(f64::INFINITY, |hit| hit.t)")],
+            "Not one pixel differs",
+        ),
+        (&[("normal", "p - sphere.centre")], "n is not a unit vector"),
+        (&[("normal", "p - sphere.centre"), ("byte", "255.0 * intensity + 0.5")], "\"known\":\"\""),
+        (&[("byte", "intensity + 0.5")], "\"known\":\"\""),
+        (
+            &[("normal", "p"), ("attenuation", "(1.0")],
+            "\"line\":\"attenuation\",\"from\":0,\"to\":1",
+        ),
+        (&[("normal", "p\u{7}")], "\"line\":\"normal\",\"from\":1,\"to\":2"),
+    ];
+    for (lines, words) in cases {
+        let text = reply_text(lines);
+        assert!(text.contains(words), "{lines:?}: {text}");
     }
 }
 

@@ -1,0 +1,155 @@
+//! A small JSON reader, which is all that requests need, as the writer in `course` is all that
+//! replies need. A value stays text until one of its methods reads it, so a part of a request that
+//! nobody reads isn't checked.
+
+use std::str::FromStr;
+
+/// The text of a JSON value.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Json<'a>(&'a str);
+
+impl<'a> Json<'a> {
+    /// The value `null`.
+    pub const NULL: Self = Self("null");
+
+    /// The value that this text is, possibly between blanks.
+    pub fn new(text: &'a str) -> Self {
+        Self(text.trim_matches([' ', '\t', '\n', '\r']))
+    }
+
+    /// Reads a number. Returns None if it is something else, or no `T`.
+    pub fn number<T: FromStr>(self) -> Option<T> {
+        // Rust would also read +1 and words, such as -inf.
+        let is_number = !self.0.starts_with('+') && self.0.ends_with(|c: char| c.is_ascii_digit());
+        if is_number { self.0.parse().ok() } else { None }
+    }
+
+    /// Reads a string. Half of a surrogate pair, which browsers write as an escape sequence, becomes
+    /// U+FFFD. They don't escape whole pairs.
+    pub fn string(self) -> Option<String> {
+        let mut string = String::new();
+        let mut chars = self.0.strip_prefix('"')?.strip_suffix('"')?.chars();
+        while let Some(c) = chars.next() {
+            string.push(match c {
+                '"' => return None,
+                '\\' => match chars.next()? {
+                    'b' => '\u{8}',
+                    'f' => '\u{c}',
+                    'n' => '\n',
+                    'r' => '\r',
+                    't' => '\t',
+                    'u' => {
+                        let mut code = 0;
+                        for _ in 0..4 {
+                            code = 16 * code + chars.next()?.to_digit(16)?;
+                        }
+                        char::from_u32(code).unwrap_or(char::REPLACEMENT_CHARACTER)
+                    }
+                    c => c,
+                },
+                c => c,
+            });
+        }
+        Some(string)
+    }
+
+    /// Reads an array.
+    pub fn array(self) -> Option<Vec<Self>> {
+        split(self.0.strip_prefix('[')?.strip_suffix(']')?, b',')
+    }
+
+    /// Reads an object.
+    pub fn object(self) -> Option<Vec<(String, Self)>> {
+        let fields = split(self.0.strip_prefix('{')?.strip_suffix('}')?, b',')?;
+        let fields = fields.into_iter().map(|field| {
+            let [name, value] = split(field.0, b':')?[..] else { return None };
+            Some((name.string()?, value))
+        });
+        fields.collect()
+    }
+}
+
+/// Splits a text at a separator, except within strings and brackets. Returns None if one of those
+/// isn't closed.
+fn split(text: &str, separator: u8) -> Option<Vec<Json<'_>>> {
+    let (mut parts, mut start) = (vec![], 0);
+    let (mut depth, mut is_string, mut is_escaped) = (0, false, false);
+    for (index, byte) in text.bytes().enumerate() {
+        match byte {
+            _ if is_escaped => is_escaped = false,
+            b'\\' => is_escaped = true,
+            b'"' => is_string = !is_string,
+            _ if is_string => {}
+            b'[' | b'{' => depth += 1,
+            b']' | b'}' => depth -= 1,
+            _ if byte == separator && depth == 0 => {
+                parts.push(Json::new(&text[start..index]));
+                start = index + 1;
+            }
+            _ => {}
+        }
+    }
+    let last = Json::new(&text[start..]);
+    if !parts.is_empty() || !last.0.is_empty() {
+        parts.push(last);
+    }
+    (depth == 0 && !is_string).then_some(parts)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn values_of_each_kind_are_read() {
+        let json = Json::new(" { \"a\" : [ {\"b,]\":-0.5}, \"]\\\"\" ,[ ]], \"c:\":null}\n");
+        let [(a, list), (c, null)] = &json.object().expect("an object")[..] else { panic!() };
+        assert_eq!((&a[..], &c[..], *null), ("a", "c:", Json::NULL));
+        let [object, string, empty] = list.array().expect("an array")[..] else { panic!() };
+        let [(name, number)] = &object.object().expect("an object")[..] else { panic!() };
+        assert_eq!((&name[..], number.number()), ("b,]", Some(-0.5)));
+        assert_eq!(string.string().as_deref(), Some("]\""));
+        assert_eq!(empty.array(), Some(vec![]));
+        assert_eq!(Json::new("{}").object(), Some(vec![]));
+    }
+
+    #[test]
+    fn numbers_are_read_as_browsers_write_them() {
+        let numbers = ["0", "-0.5", "640", "1e-7", "1e+21", "1.7976931348623157e+308"];
+        let read = numbers.map(|text| Json::new(text).number());
+        assert_eq!(read, [0.0, -0.5, 640.0, 1e-7, 1e21, f64::MAX].map(Some));
+        for text in ["", "null", "inf", "NaN", "-", "-inf", "+1", "1.2.3", "1 2", "\"1\"", "[1]"] {
+            assert_eq!(Json::new(text).number::<f64>(), None, "{text}");
+        }
+        assert_eq!(
+            ["640", "640.5", "-1", "5000000000"].map(|text| Json::new(text).number()),
+            [Some(640_u32), None, None, None]
+        );
+    }
+
+    #[test]
+    fn string_is_unescaped() {
+        let json = Json::new(r#""a \"\\\/ θ 🙂 \b\f\n\r\t\u001f\ud83d""#);
+        let expected = "a \"\\/ θ 🙂 \u{8}\u{c}\n\r\t\u{1f}\u{fffd}";
+        assert_eq!(json.string().as_deref(), Some(expected));
+        for text in ["", "a", "\"", "\"a\"b\"", "\"\\\"", "\"\\u12\"", "\"\\u12g4\"", "null"] {
+            assert_eq!(Json::new(text).string(), None, "{text}");
+        }
+    }
+
+    #[test]
+    fn text_that_is_no_array_or_object_is_refused() {
+        for text in ["", "[", "]", "[[]", "[]]", "[\"]", "[\"\\\"]", "{}"] {
+            assert_eq!(Json::new(text).array(), None, "{text}");
+        }
+        for text in ["", "{", "{{}", "{1}", "{1:2}", "{\"a\"}", "{\"a\":1,}", "{\"a\":1:2}", "[]"] {
+            assert_eq!(Json::new(text).object(), None, "{text}");
+        }
+    }
+
+    #[test]
+    fn deep_nesting_is_read() {
+        let nested = "[".repeat(1_000_000) + &"]".repeat(1_000_000);
+        assert_eq!(Json::new(&nested).array().expect("an array").len(), 1);
+    }
+}
