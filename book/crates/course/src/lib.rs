@@ -6,7 +6,7 @@
 //!   pictures that they produce; and the small versions of these pictures that the book shows.
 //! - The *places* in the listings that a reader may edit.
 //! - *Scenes*: one that is generated from a person's *name*, one that a reader puts together on a
-//!   page, the table of the numbers in a scene, and a scene formatted as a Rust program.
+//!   page, and the table of the numbers in a scene.
 //! - The *locked* pictures, the *difference* between two pictures, in a sentence or side by side,
 //!   and a PNG encoder.
 //! - A function that rewrites the source of a crate as the source of a Rust *module*.
@@ -50,12 +50,10 @@ pub use hash::fnv_1a;
 
 mod named_scene;
 mod own_scene;
-mod scene_program;
 mod scene_quantity;
 mod ungated_colour;
 pub use named_scene::named_scene;
 pub use own_scene::OwnScene;
-pub use scene_program::format_scene_program;
 pub use scene_quantity::{Component, GROUND, Owner, QUANTITIES, Quantity, Scalar, Typed};
 pub use ungated_colour::ungated_colour;
 

@@ -17,7 +17,7 @@ const NO_SOURCES: [&str; 4] = ["modules.txt", "mistakes", "tests", "benches"];
 
 /// Sources that a page shows for readers to copy. In these, comments and indentation count, too.
 const SHOWN: [&str; 3] =
-    ["examples/own_scene.rs", "examples/look_at.rs", "course/src/scene_program.rs"];
+    ["examples/own_scene.rs", "examples/look_at.rs", "figures/src/own_scene/program.rs"];
 
 /// Hashes all sources of the modules, including manifests.
 pub fn source_hash() -> XtaskResult<String> {

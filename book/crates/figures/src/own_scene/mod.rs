@@ -2,10 +2,12 @@
 //! Rust program that draws it.
 
 mod parameters;
+mod program;
 
 use crate::{COLUMNS, Content, EditableScene, Figure, Handle, Mark, ParameterId, ParameterValues};
-use course::{Component, Owner, format_scene_program};
+use course::{Component, Owner};
 use parameters::{PARAMETERS, Target, complete_scene, component_ids, own_scene};
+use program::format_program;
 use step05_phong::nearest;
 
 /// The picture of the reader's scene.
@@ -19,7 +21,7 @@ pub fn figure() -> Figure {
         parameters: PARAMETERS.iter().map(|(_, parameter)| parameter.clone()).collect(),
         handles: handles.collect(),
         editable_scene: Some(EditableScene {
-            program: |values| format_scene_program(&own_scene(values)),
+            program: |values| format_program(&own_scene(values)),
             object_at: |values, position| {
                 let own = own_scene(values);
                 let pixel = position - 0.5;

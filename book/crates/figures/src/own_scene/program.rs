@@ -1,20 +1,20 @@
 //! Formats a scene as a Rust program, which the reader saves as an example of step 5. It is the
 //! step's own example `own_scene` with some of its function bodies replaced.
 
-use crate::{FOV_DEGREES, OwnScene};
+use course::{FOV_DEGREES, OwnScene};
 use glam::DVec3;
 use std::iter::zip;
 use std::ops::Range;
 use step05_phong::{Attenuation, Light, Material, Object};
 
 /// The program that draws step 5's own scene.
-const EXAMPLE: &str = include_str!("../../../../steps/step05_phong/examples/own_scene.rs");
+const EXAMPLE: &str = include_str!("../../../../../steps/step05_phong/examples/own_scene.rs");
 
 /// The exercise `look_at`, whose function body a moved camera needs.
-const LOOK_AT: &str = include_str!("../../../../steps/step01_rays/examples/look_at.rs");
+const LOOK_AT: &str = include_str!("../../../../../steps/step01_rays/examples/look_at.rs");
 
 /// Formats the program that draws the scene.
-pub fn format_scene_program(own: &OwnScene) -> String {
+pub fn format_program(own: &OwnScene) -> String {
     let mut program = EXAMPLE.trim_end().to_owned();
     replace_body(&mut program, "my_scene", &scene_body(own));
     replace_body(&mut program, "my_camera", &camera_body(own));
