@@ -38,7 +38,7 @@ macro_rules! chapter_pictures {
 
 chapter_pictures! {
     $
-    slide_matrix: course::slide_camera(), step05_phong::picture;
+    slide_matrix: slide_camera(), step05_phong::picture;
     step05_ambient: camera(), |camera, _| terms::picture(camera, |phong| phong.ambient);
     step05_diffuse: camera(), |camera, _| terms::picture(camera, |phong| phong.diffuse);
     step05_specular: camera(), |camera, _| terms::picture(camera, |phong| phong.specular);
@@ -54,6 +54,17 @@ chapter_pictures! {
     close_up: white_sphere_camera(), |camera, _| mirror::picture(camera, 2);
     cover: camera_with_size(1280, 720), |camera, _| step05_phong::picture(camera, 4);
     goodbye: camera_with_size(1280, 720), |camera, _| mirror::picture(camera, 2);
+}
+
+/// The course's camera with the matrix from the slide "A Basic 3D Camera Matrix", exactly as
+/// written there.
+fn slide_camera() -> Camera {
+    let mut camera = camera();
+    let tan = -camera.matrix.z_axis.x;
+    let upright = f64::from(camera.v_res) * tan / f64::from(camera.h_res - 1);
+    camera.matrix.y_axis.y = -2.0 * upright;
+    camera.matrix.z_axis.y = upright;
+    camera
 }
 
 /// A camera that sees four tiles of the checkerboard.

@@ -33,17 +33,6 @@ pub fn camera_with_fov(fov_degrees: f64, columns: u32) -> Camera {
     Camera::new(columns, aspect_ratio.v_res(columns), fov_degrees.to_radians())
 }
 
-/// The course's camera with the matrix from the slide "A Basic 3D Camera Matrix", exactly as
-/// written there.
-pub fn slide_camera() -> Camera {
-    let mut camera = camera();
-    let tan = -camera.matrix.z_axis.x;
-    let upright = f64::from(camera.v_res) * tan / f64::from(camera.h_res - 1);
-    camera.matrix.y_axis.y = -2.0 * upright;
-    camera.matrix.z_axis.y = upright;
-    camera
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -19,7 +19,7 @@ mod camera;
 mod step;
 pub use camera::{
     FOV_DEGREES, PICTURE_COLUMNS, PICTURE_ROWS, camera, camera_with_fov, camera_with_size,
-    primary_rays, slide_camera,
+    primary_rays,
 };
 pub use step::Step;
 
