@@ -11,9 +11,9 @@ use std::path::{Path, PathBuf};
 const FOLDERS: [&str; 5] =
     ["steps", "book/crates/check", "book/crates/course", "book/crates/figures", "book/crates/page"];
 
-/// Files and folders inside [`FOLDERS`] that aren't hashed: the file that contains the hash, the
+/// The ends of the paths inside [`FOLDERS`] that aren't hashed: the file that contains the hash, the
 /// list of mistakes, which a page loads separately, and tests and benchmarks.
-const NO_SOURCES: [&str; 4] = ["modules.txt", "mistakes", "tests", "benches"];
+const NO_SOURCES: [&str; 4] = ["modules.txt", "course/mistakes", "tests", "benches"];
 
 /// Sources that a page shows for readers to copy. In these, comments and indentation count, too.
 const SHOWN: [&str; 3] =
@@ -51,9 +51,8 @@ pub fn code_lines(code: &str) -> String {
 fn push_files(folder: &Path, files: &mut Vec<PathBuf>) -> XtaskResult<()> {
     for entry in fs::read_dir(folder).map_err(XtaskError::of_file(folder))? {
         let path = entry.map_err(XtaskError::of_file(folder))?.path();
-        let name = path.file_name().and_then(|name| name.to_str()).unwrap_or_default();
         let end = path.extension().and_then(|end| end.to_str()).unwrap_or_default();
-        if NO_SOURCES.contains(&name) {
+        if NO_SOURCES.iter().any(|end| path.ends_with(end)) {
             continue;
         }
         if path.is_dir() {
@@ -73,6 +72,17 @@ mod tests {
     fn comments_blank_lines_and_indentation_are_no_code() {
         let code = "//! A file.\n\nfn f() {\n    // Why.\n    g(); // here\n}\n";
         assert_eq!(code_lines(code), "fn f() {\ng(); // here\n}");
+    }
+
+    #[test]
+    fn code_and_places_are_sources_and_the_list_of_mistakes_is_not() {
+        let mut files = vec![];
+        push_files(&workspace().join("book/crates/course"), &mut files).expect("readable files");
+        let is_source = |end: &str| files.iter().any(|path| path.ends_with(end));
+        for name in ["mistake.rs", "places.txt", "Cargo.toml"] {
+            assert!(is_source(name), "{name}");
+        }
+        assert!(!is_source("step01_rays.txt") && !is_source("table.txt"));
     }
 
     #[test]
