@@ -1,9 +1,9 @@
 //! Copies the source of the five steps into modules. In the copy, each *place* (an expression that
 //! a reader may edit) first asks whether the reader has edited it.
 
-#[path = "../course/src/crate_as_module.rs"]
+#[path = "../course/src/source_code/crate_as_module.rs"]
 mod crate_as_module;
-#[path = "../course/src/place.rs"]
+#[path = "../course/src/source_code/place.rs"]
 #[allow(dead_code, reason = "used in the library")]
 mod place;
 

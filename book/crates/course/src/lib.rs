@@ -1,79 +1,62 @@
-//! Code and data shared by the book's crates.
+//! Code and data shared by the book's crates, in six folders and three files:
 //!
-//! - The five *steps*, the *camera* that takes their pictures, their *examples* as a library, and a
-//!   list of every picture that a step or an example draws.
-//! - The *mistakes* that readers make, each as a diff; a *table* with the hashes of the wrong
-//!   pictures that they produce; and the small versions of these pictures that the book shows.
-//! - The *places* in the listings that a reader may edit.
-//! - *Scenes*: one that is generated from a person's *name*, one that a reader puts together on a
+//! - `steps`: the five steps as an enum, the *camera* that takes their pictures, and their
+//!   *examples* as a library, with a list of every picture that a step or an example draws.
+//! - `source_code`: the steps' source code as text. The *places* in the listings are the
+//!   expressions that a reader may edit on a page.
+//! - `mistakes`: the *mistakes* that readers make, each as a diff; a *table* with the hashes of the
+//!   wrong pictures that they produce; and the small versions of these pictures that the book
+//!   shows.
+//! - `scenes`: one that is generated from a person's *name*, one that a reader puts together on a
 //!   page, and the table of the numbers in a scene.
-//! - The *locked* pictures, the *difference* between two pictures, in a sentence or side by side,
-//!   and a PNG encoder.
-//! - A function that rewrites the source of a crate as the source of a Rust *module*.
-//! - A function that *replaces* a file atomically.
-//! - The folders of the *workspace*, the names of the pages' WebAssembly modules, a command that
-//!   runs Cargo, the *environment* variables that control the tests, a hash function, and a JSON
-//!   writer.
+//! - `pictures`: the *locked* pictures, the *difference* between two pictures, in a sentence or side
+//!   by side, and a PNG encoder.
+//! - `workspace`: the project's folders, the names of the pages' WebAssembly modules, a command that
+//!   runs Cargo, the *environment* variables that control the tests, and a function that *replaces*
+//!   a file atomically.
+//! - `hash.rs`, `json.rs` and `terminal.rs`: a hash function, a JSON writer, and the characters
+//!   that a terminal would act on.
+//!
+//! Other crates don't see the folders, because every item is re-exported here.
 
-mod camera;
-mod step;
-pub use camera::{
-    FOV_DEGREES, PICTURE_COLUMNS, PICTURE_ROWS, camera, camera_with_fov, camera_with_size,
-    primary_rays,
-};
-pub use step::Step;
-
-pub mod examples;
-pub use examples::{DrawPicture, PICTURES, find_picture};
-
-mod mistake;
-mod mistake_files;
-mod mistake_table;
-pub use mistake::{
-    Mistake, MistakeListError, MistakePicture, ShownMistake, mistakes, parse_mistake_lists,
-};
-pub use mistake_files::{MistakeTexts, mistake_texts, provide_mistake_texts};
-pub use mistake_table::{
-    MistakeTable, RightPicture, SMALL_SIZE, TableError, TableRow, find_mistakes_with_hash,
-    hash_picture, hashes_of_right_pictures, make_small_picture, mistake_table, mistakes_with_rows,
-    names_of_right_pictures, read_small_pictures, small_pictures_path,
+mod steps;
+pub use steps::{
+    DrawPicture, FOV_DEGREES, PICTURE_COLUMNS, PICTURE_ROWS, PICTURES, Step, camera,
+    camera_with_fov, camera_with_size, examples, find_picture, primary_rays, ungated_colour,
 };
 
-mod place;
-pub use place::{OccurrenceError, Place, PlaceNote, ValueType, all_listed_places};
+mod source_code;
+pub use source_code::{
+    OccurrenceError, Place, PlaceNote, ValueType, all_listed_places, crate_as_module,
+};
 
-mod crate_as_module;
-pub use crate_as_module::crate_as_module;
+mod mistakes;
+pub use mistakes::{
+    Mistake, MistakeListError, MistakePicture, MistakeTable, MistakeTexts, RightPicture,
+    SMALL_SIZE, ShownMistake, TableError, TableRow, find_mistakes_with_hash, hash_picture,
+    hashes_of_right_pictures, make_small_picture, mistake_table, mistake_texts, mistakes,
+    mistakes_with_rows, names_of_right_pictures, parse_mistake_lists, provide_mistake_texts,
+    read_small_pictures, small_pictures_path,
+};
 
-mod hash;
-pub use hash::fnv_1a;
+mod scenes;
+pub use scenes::{
+    Component, GROUND, OwnScene, Owner, QUANTITIES, Quantity, Scalar, Typed, named_scene,
+};
 
-mod named_scene;
-mod own_scene;
-mod scene_quantity;
-mod ungated_colour;
-pub use named_scene::named_scene;
-pub use own_scene::OwnScene;
-pub use scene_quantity::{Component, GROUND, Owner, QUANTITIES, Quantity, Scalar, Typed};
-pub use ungated_colour::ungated_colour;
-
-mod difference;
-mod encode_png;
-mod locked_picture;
-mod panels;
-pub use difference::{describe_difference, largest_channel_difference};
-pub use encode_png::encode_png;
-pub use locked_picture::{LockedPictureError, locked_picture_path, read_locked_picture};
-pub use panels::draw_panels;
-
-mod replace_file;
-pub use replace_file::replace_file;
-
-mod terminal;
-pub use terminal::is_obeyed_by_terminals;
+mod pictures;
+pub use pictures::{
+    LockedPictureError, describe_difference, draw_panels, encode_png, largest_channel_difference,
+    locked_picture_path, read_locked_picture,
+};
 
 mod workspace;
-pub use workspace::{MODULES, cargo_command, step_dependencies, target_folder, workspace};
+pub use workspace::{
+    MODULES, cargo_command, environment, replace_file, step_dependencies, target_folder, workspace,
+};
 
-pub mod environment;
+mod hash;
 pub mod json;
+mod terminal;
+pub use hash::fnv_1a;
+pub use terminal::is_obeyed_by_terminals;

@@ -114,7 +114,7 @@ impl PlaceNote {
 /// Panics if a line in places.txt is malformed. That can't happen at run time: the file is compiled
 /// in, and the build of `page` would have failed.
 pub fn all_listed_places() -> Vec<Place> {
-    match parse_places(include_str!("../places.txt")) {
+    match parse_places(include_str!("../../places.txt")) {
         Ok(places) => places,
         Err(error) => panic!("places.txt, {error}"),
     }

@@ -18,8 +18,7 @@
 //! - `/` the section to read again,
 //! - `"` what the picture shows.
 
-use crate::Step;
-use crate::mistake_files::mistake_texts;
+use crate::{Step, mistake_texts};
 use std::sync::OnceLock;
 use thiserror::Error;
 

@@ -13,8 +13,7 @@
 //!   mistake, or that can't be drawn.
 
 use crate::hash::fnv_1a;
-use crate::mistake_files::mistake_texts;
-use crate::{Mistake, Step, mistakes};
+use crate::{Mistake, Step, mistake_texts, mistakes};
 use image::imageops::{crop_imm, thumbnail};
 use image::{ImageResult, RgbImage};
 use std::fmt::{self, Display, Formatter};

@@ -13,13 +13,13 @@ const STEP_COUNT: usize = Step::ALL.len();
 
 const INCLUDED: MistakeTexts = MistakeTexts {
     lists: [
-        include_str!("../mistakes/step01_rays.txt"),
-        include_str!("../mistakes/step02_sphere.txt"),
-        include_str!("../mistakes/step03_nearest.txt"),
-        include_str!("../mistakes/step04_diffuse.txt"),
-        include_str!("../mistakes/step05_phong.txt"),
+        include_str!("../../mistakes/step01_rays.txt"),
+        include_str!("../../mistakes/step02_sphere.txt"),
+        include_str!("../../mistakes/step03_nearest.txt"),
+        include_str!("../../mistakes/step04_diffuse.txt"),
+        include_str!("../../mistakes/step05_phong.txt"),
     ],
-    table: include_str!("../mistakes/table.txt"),
+    table: include_str!("../../mistakes/table.txt"),
 };
 
 static PROVIDED: OnceLock<MistakeTexts> = OnceLock::new();

@@ -1,0 +1,15 @@
+//! The mistakes that readers make, each as a diff, and the table with hashes of the pictures that
+//! they produce. Both are text files in the folder `mistakes` of this package.
+
+mod mistake;
+mod table;
+mod texts;
+pub use mistake::{
+    Mistake, MistakeListError, MistakePicture, ShownMistake, mistakes, parse_mistake_lists,
+};
+pub use table::{
+    MistakeTable, RightPicture, SMALL_SIZE, TableError, TableRow, find_mistakes_with_hash,
+    hash_picture, hashes_of_right_pictures, make_small_picture, mistake_table, mistakes_with_rows,
+    names_of_right_pictures, read_small_pictures, small_pictures_path,
+};
+pub use texts::{MistakeTexts, mistake_texts, provide_mistake_texts};
