@@ -9,8 +9,8 @@
 //!   shows.
 //! - `scenes`: one that is generated from a person's *name*, one that a reader puts together on a
 //!   page, and the table of the numbers in a scene.
-//! - `pictures`: the *locked* pictures, the *difference* between two pictures, in a sentence or side
-//!   by side, and a PNG encoder.
+//! - `pictures`: the *locked* pictures, a picture's hash, the *difference* between two pictures, in a
+//!   sentence or side by side, and a PNG encoder.
 //! - `workspace`: the project's folders, the names of the pages' WebAssembly modules, a command that
 //!   runs Cargo, the *environment* variables that control the tests, and a function that *replaces*
 //!   a file atomically.
@@ -28,12 +28,13 @@ pub use steps::{
 mod source_code;
 pub use source_code::{
     OccurrenceError, Place, PlaceNote, ValueType, all_listed_places, crate_as_module,
+    step_dependencies,
 };
 
 mod mistakes;
 pub use mistakes::{
     Mistake, MistakeListError, MistakePicture, MistakeTable, MistakeTexts, RightPicture,
-    SMALL_SIZE, ShownMistake, TableError, TableRow, find_mistakes_with_hash, hash_picture,
+    SMALL_SIZE, ShownMistake, TableError, TableRow, find_mistakes_with_hash,
     hashes_of_right_pictures, make_small_picture, mistake_table, mistake_texts, mistakes,
     mistakes_with_rows, names_of_right_pictures, parse_mistake_lists, provide_mistake_texts,
     read_small_pictures, small_pictures_path,
@@ -46,14 +47,12 @@ pub use scenes::{
 
 mod pictures;
 pub use pictures::{
-    LockedPictureError, describe_difference, draw_panels, encode_png, largest_channel_difference,
-    locked_picture_path, read_locked_picture,
+    LockedPictureError, describe_difference, draw_panels, encode_png, hash_picture,
+    largest_channel_difference, locked_picture_path, read_locked_picture,
 };
 
 mod workspace;
-pub use workspace::{
-    MODULES, cargo_command, environment, replace_file, step_dependencies, target_folder, workspace,
-};
+pub use workspace::{MODULES, cargo_command, environment, replace_file, target_folder, workspace};
 
 mod hash;
 pub mod json;

@@ -12,7 +12,6 @@
 //!   later step draw with the mistake. `-` stands for a picture that is right in spite of the
 //!   mistake, or that can't be drawn.
 
-use crate::hash::fnv_1a;
 use crate::{Mistake, Step, mistake_texts, mistakes};
 use image::imageops::{crop_imm, thumbnail};
 use image::{ImageResult, RgbImage};
@@ -154,13 +153,6 @@ pub fn hashes_of_right_pictures() -> impl Iterator<Item = (&'static str, u64)> {
     mistake_table().right_pictures.iter().map(|picture| (picture.name, picture.hash))
 }
 
-/// Hashes a picture: 64-bit FNV-1a of the number of columns, the number of rows and all bytes.
-pub fn hash_picture(picture: &RgbImage) -> u64 {
-    let (columns, rows) = picture.dimensions();
-    let size = [columns, rows].into_iter().flat_map(u32::to_le_bytes);
-    fnv_1a(size.chain(picture.as_raw().iter().copied()))
-}
-
 /// Finds the mistakes that produce the picture with this hash. Each comes with the name of the
 /// picture that should have been drawn. A mistake that produces the same picture in several steps
 /// is returned once for each of them.
@@ -288,16 +280,6 @@ mod tests {
                 assert!(found.is_sorted_by_key(|entry| !is_shown(entry)), "{}", mistake.title);
             }
         }
-    }
-
-    #[test]
-    fn hash_depends_on_the_size_and_on_each_byte() {
-        let black = hash_picture(&RgbImage::new(2, 3));
-        assert_eq!(black, hash_picture(&RgbImage::new(2, 3)));
-        assert_ne!(black, hash_picture(&RgbImage::new(3, 2)));
-        let mut picture = RgbImage::new(2, 3);
-        picture[(1, 2)][2] = 1;
-        assert_ne!(black, hash_picture(&picture));
     }
 
     #[test]

@@ -1,11 +1,13 @@
-//! The locked pictures, the difference between two pictures, in a sentence or side by side, and a
-//! PNG encoder.
+//! The locked pictures, the hash of a picture, the difference between two pictures, in a sentence or
+//! side by side, and a PNG encoder.
 
 mod difference;
 mod encode_png;
+mod hash_picture;
 mod locked_picture;
 mod panels;
 pub use difference::{describe_difference, largest_channel_difference};
 pub use encode_png::encode_png;
+pub use hash_picture::hash_picture;
 pub use locked_picture::{LockedPictureError, locked_picture_path, read_locked_picture};
 pub use panels::draw_panels;

@@ -3,5 +3,8 @@
 
 mod crate_as_module;
 mod place;
+mod step_dependencies;
+mod step_of_place;
 pub use crate_as_module::crate_as_module;
 pub use place::{OccurrenceError, Place, PlaceNote, ValueType, all_listed_places};
+pub use step_dependencies::step_dependencies;

@@ -1,7 +1,5 @@
 //! The five steps of the course.
 
-use crate::Place;
-
 /// A step of the course. Later steps compare greater.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Step {
@@ -43,22 +41,9 @@ impl Step {
     }
 }
 
-impl Place {
-    /// The step whose source it is in.
-    ///
-    /// # Panics
-    ///
-    /// Panics if its file isn't in a step, which a test of all places rules out.
-    pub fn step(&self) -> Step {
-        let folder = self.file.split('/').next();
-        folder.and_then(Step::from_name).expect("the file of a place is in a step")
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::all_listed_places;
 
     #[test]
     fn step_is_found_by_its_name() {
@@ -67,12 +52,5 @@ mod tests {
             assert!(step.name().starts_with(&format!("step0{number}_")));
         }
         assert_eq!(Step::from_name("step06_way_back"), None);
-    }
-
-    #[test]
-    fn each_place_is_in_a_step() {
-        for place in all_listed_places() {
-            assert!(place.file.starts_with(place.step().name()), "{}", place.name);
-        }
     }
 }

@@ -1,6 +1,5 @@
-//! Finds the project's folders, and prepares what our tools need to run Cargo.
+//! Finds the project's folders, and prepares a command that runs Cargo there.
 
-use crate::Step;
 use std::env;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -42,23 +41,4 @@ pub fn cargo_command() -> Command {
     let mut command = Command::new(env::var_os("CARGO").unwrap_or("cargo".into()));
     command.env_remove("CARGO_BUILD_TARGET");
     command
-}
-
-/// The `[dependencies]` section for a generated program that contains copies of the steps: the
-/// libraries that these copies use, and the original steps. The versions are `*`, because the
-/// program also gets a copy of the course's Cargo.lock, which pins them.
-pub fn step_dependencies() -> String {
-    let mut dependencies = r#"
-[dependencies]
-clap = { version = "*", default-features = false }
-glam = { version = "*", default-features = false }
-image = { version = "*", default-features = false }
-rayon = "*"
-"#
-    .to_owned();
-    for step in Step::NAMES {
-        let path = workspace().join("steps").join(step);
-        dependencies += &format!("{step} = {{ path = {path:?} }}\n");
-    }
-    dependencies
 }
