@@ -14,7 +14,8 @@
     const address = URL.createObjectURL(new Blob([source], { type: "text/javascript" }));
     book.trustAddress(address);
 
-    // The form is for any picture: the name of the reader's file says which.
+    // Stands for the name of the picture in a form for any picture. The name of the reader's file says
+    // which it should be.
     const ANY_PICTURE = "*";
 
     const LABELS = ["Yours", "Ours", "The difference: orange where yours is brighter, blue where it's darker"];

@@ -9,6 +9,9 @@
     // Milliseconds that the picture of the cover may take with all the columns that are printed.
     const LONGEST_REST_FRAME = 300;
 
+    // An address that ends in this and in a pixel's column and row chooses that pixel.
+    const PIXEL = "#pixel=";
+
     /** @param {string} hash */
     const writeHash = hash => history.replaceState(null, "", hash || location.pathname + location.search);
 
@@ -341,10 +344,10 @@
         // in other pictures, a button that copies a link to the pixel.
         makeLinks() {
             if (!this.panel) return [];
-            if (this.isPreview) return [book.make("a", { href: `#pixel=${this.pixel}` }, "The whole sum")];
+            if (this.isPreview) return [book.make("a", { href: PIXEL + this.pixel }, "The whole sum")];
             this.copyLink ??= book.make("button", { type: "button", class: "copy" }, "Copy link");
             this.copyLink.onclick = () => {
-                writeHash(`#pixel=${this.pixel}`);
+                writeHash(PIXEL + this.pixel);
                 book.copyBy(this.copyLink, location.href);
             };
             return [this.copyLink];
@@ -354,7 +357,7 @@
         followPixel() {
             if (!this.isPreview) this.openPanel(true);
             clearTimeout(this.addressTimer);
-            this.addressTimer = setTimeout(() => writeHash(`#pixel=${this.pixel}`), REST);
+            this.addressTimer = setTimeout(() => writeHash(PIXEL + this.pixel), REST);
         }
 
         // Goes back to the default pixel, which counts as one that nobody has chosen.
@@ -362,7 +365,7 @@
             const { horizontal, vertical } = this.probe.about;
             this.pixel = `${this.defaults[horizontal]},${this.defaults[vertical]}`;
             clearTimeout(this.addressTimer);
-            if (location.hash.startsWith("#pixel=")) writeHash("");
+            if (location.hash.startsWith(PIXEL)) writeHash("");
         }
 
         // An open panel takes the margin, if there is one.
@@ -444,7 +447,8 @@
 
     // A link that names a pixel, such as #pixel=470,120. Returns the picture with a probe, and the pixel.
     function findPixelOfAddress() {
-        const [, i, j] = location.hash.match(/^#pixel=(\d+)(?:,|%2C)(\d+)$/i) ?? [];
+        if (!location.hash.startsWith(PIXEL)) return null;
+        const [, i, j] = location.hash.slice(PIXEL.length).match(/^(\d+)(?:,|%2C)(\d+)$/i) ?? [];
         const panel = i && document.querySelector("[data-panel]");
         const root = panel && document.querySelector(`figure[data-live="${panel.dataset.panel}"]`);
         return root && { root, i: Number(i), j: Number(j) };

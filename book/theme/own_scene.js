@@ -6,6 +6,9 @@
     // scaled down, which smooths its edges.
     const KEPT_COLUMNS = 1920;
 
+    // An address that ends in this and in the values of a scene opens that scene.
+    const SCENE = "#scene=";
+
     /** @typedef {(words: string, act: () => void) => HTMLButtonElement} AddTool */
 
     book.followScene = figure => {
@@ -39,7 +42,7 @@
         figure.controls.querySelector(".hint").append(" ", reset);
         figure.afterShow = () => {
             const { address } = figure.reply;
-            link.hash = address ? `scene=${address}` : "";
+            link.hash = address ? SCENE + address : "";
             reset.hidden = !address;
         };
     }
@@ -83,8 +86,8 @@
         let restTimer = 0;
         const writeAddress = () => {
             const { address } = figure.reply;
-            if (address) history.replaceState(null, "", `#scene=${address}`);
-            else if (location.hash.startsWith("#scene=")) history.replaceState(null, "", location.pathname);
+            if (address) history.replaceState(null, "", SCENE + address);
+            else if (location.hash.startsWith(SCENE)) history.replaceState(null, "", location.pathname);
             keepState();
         };
         figure.afterShow = () => {
@@ -94,9 +97,9 @@
         const openScene = () => {
             // A link to a heading has replaced the scene in the address. The page has scrolled to
             // the heading by now, so the address can hold the scene again.
-            if (!location.hash.startsWith("#scene=")) return writeAddress();
+            if (!location.hash.startsWith(SCENE)) return writeAddress();
             // Some mail programs write a colon as %3A.
-            const address = location.hash.slice("#scene=".length).replace(/%3A/gi, ":").replace(/%2C/gi, ",");
+            const address = location.hash.slice(SCENE.length).replace(/%3A/gi, ":").replace(/%2C/gi, ",");
             try {
                 figure.show(book.ask(figure.module, { request: "open", figure: figure.name, address }));
                 figure.root.scrollIntoView({ block: "nearest" });

@@ -1,6 +1,6 @@
 //! The items on a page that matter to a reader who types along: headings, listings and commands.
 
-use builder::Page;
+use builder::{ConsoleKind, Page};
 use std::collections::BTreeMap;
 
 /// The text of each file typed so far, keyed by path.
@@ -43,12 +43,13 @@ pub struct PageCommand {
 pub fn page_items(page: &Page) -> Vec<PageItem<'_>> {
     let mut items = vec![];
     for element in &page.elements {
-        let exit_code = match element.attr("data-folder") {
-            Some("ours") => continue,
+        let console = element.attr("data-folder").and_then(ConsoleKind::from_attribute);
+        let exit_code = match console {
+            Some(ConsoleKind::Ours) => continue,
             // The exit codes of clap for invalid arguments, and of Cargo for a failing test.
-            Some("yours refused") => 2,
-            Some("yours fails") => 101,
-            _ => 0,
+            Some(ConsoleKind::Refused) => 2,
+            Some(ConsoleKind::Fails) => 101,
+            Some(ConsoleKind::Yours) | None => 0,
         };
         let code =
             || page.descendants(element).iter().find(|inner| inner.tag == "code").expect("code");

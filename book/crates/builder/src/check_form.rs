@@ -3,6 +3,10 @@
 use crate::Sources;
 use crate::fault::{ChapterError, ChapterResult};
 
+/// Stands for the name of the picture in a form for any picture. book/theme/check_form.js has the
+/// same constant.
+const ANY_PICTURE: &str = "*";
+
 /// The HTML for `{{#check name}}`: a form onto which a reader drops a picture to find out whether
 /// it is right. Without a name, the name of the reader's file says which picture it should be.
 ///
@@ -16,7 +20,7 @@ pub fn check_form_html(name: &str, sources: &Sources) -> ChapterResult<String> {
                            <input name=\"scene\" autocomplete=\"off\"></label>";
             let words = "Drop the picture of a step or an exercise here, or choose its file, \
                          whose name tells which it should be.";
-            ("*", words.to_owned())
+            (ANY_PICTURE, words.to_owned())
         }
         name if sources.generated.0.contains_key(&format!("{name}.png")) => {
             (name, format!("Drop your <code>{name}.png</code> here, or choose it."))

@@ -4,14 +4,54 @@ use crate::fault::{ChapterError, ChapterResult};
 use crate::markdown::html_block;
 use figures::escape;
 
+/// The kinds of consoles. They differ in the folder for which the commands are meant, and in how
+/// the last of these ends.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ConsoleKind {
+    /// The commands are for our folder.
+    Ours,
+    /// The commands are for the reader's folder, and they succeed.
+    Yours,
+    /// A program of the reader's refuses its arguments.
+    Refused,
+    /// A test of the reader's fails.
+    Fails,
+}
+
+impl ConsoleKind {
+    const ALL: [Self; 4] = [Self::Ours, Self::Yours, Self::Refused, Self::Fails];
+
+    /// Its words after `console,` in a chapter.
+    fn words(self) -> &'static str {
+        match self {
+            Self::Ours => "ours",
+            Self::Yours => "yours",
+            Self::Refused => "yours,refused",
+            Self::Fails => "yours,fails",
+        }
+    }
+
+    /// The value of `data-folder` on a page.
+    fn attribute(self) -> String {
+        self.words().replace(',', " ")
+    }
+
+    /// Finds the kind with this value of `data-folder`.
+    pub fn from_attribute(attribute: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|kind| kind.attribute() == attribute)
+    }
+}
+
 /// Returns commands under a caption that says in which folder to type them, the reader's or ours.
-pub fn console_markdown(folder: &str, commands: &str) -> ChapterResult<String> {
-    let caption = match folder {
-        "yours" | "yours,refused" | "yours,fails" => "in your folder",
-        "ours" => "in <a href=\"how.html#two-folders\">our folder</a>",
-        _ => return Err(ChapterError::ConsoleForm),
+/// `words` say which kind of console it is.
+pub fn console_markdown(words: &str, commands: &str) -> ChapterResult<String> {
+    let kind = ConsoleKind::ALL.into_iter().find(|kind| kind.words() == words);
+    let kind = kind.ok_or(ChapterError::ConsoleForm)?;
+    let caption = match kind {
+        ConsoleKind::Ours => "in <a href=\"how.html#two-folders\">our folder</a>",
+        ConsoleKind::Yours | ConsoleKind::Refused | ConsoleKind::Fails => "in your folder",
     };
-    let folder = folder.replace(',', " ");
+    let folder = kind.attribute();
     // The prompt gets its own element, so that the stylesheet can keep it from being copied.
     let commands = format!("\n{}", escape(commands)).replace("\n$ ", "\n<span>$ </span>");
     let caption = format!(
@@ -37,6 +77,7 @@ mod tests {
     fn folder_is_ours_or_yours() {
         let html = console_markdown("yours,fails", "$ a").expect("a console");
         assert!(html.contains("data-folder=\"yours fails\""), "{html}");
+        assert_eq!(ConsoleKind::from_attribute("yours fails"), Some(ConsoleKind::Fails));
         assert!(matches!(console_markdown("theirs", "$ a"), Err(ChapterError::ConsoleForm)));
     }
 }

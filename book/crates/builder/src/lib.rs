@@ -83,6 +83,7 @@ mod build;
 mod tests;
 
 pub use build::build;
+pub use console::ConsoleKind;
 pub use files::Files;
 pub use page::{Element, Page, Site};
 pub use preprocessor::ChapterPreprocessor;

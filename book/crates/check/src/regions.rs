@@ -8,6 +8,9 @@ use step01_rays::{direction_colour, rgb8};
 
 const MOST_REGIONS: usize = 3;
 
+/// The name of the region without objects.
+const SKY: &str = "the sky";
+
 /// The pixels where our picture shows the sky, or where it shows a certain object.
 pub(crate) struct Region {
     name: String,
@@ -21,7 +24,7 @@ pub(crate) struct Region {
 /// Returns a region for the sky, followed by one for each object, with their pixels counted. What
 /// isn't visible in our picture is left out.
 pub(crate) fn count_regions(comparison: &Comparison, scene: &StepScene) -> Vec<Region> {
-    let names = [vec!["the sky".to_owned()], scene.object_names()].concat();
+    let names = [vec![SKY.to_owned()], scene.object_names()].concat();
     let regions = names.into_iter().map(|name| Region { name, all: 0, wrong: 0, hidden: 0 });
     let mut regions: Vec<_> = regions.collect();
     let is_hidden = |Pixel { ray, yours, .. }: &Pixel| {
@@ -70,7 +73,7 @@ pub(crate) fn region_sentence(mut regions: Vec<Region>) -> String {
     let words = join_first(words.collect(), MOST_REGIONS, "; ");
     match right.iter().map(|region| &*region.name).collect::<Vec<_>>()[..] {
         [] => format!("It differs from ours in {words}."),
-        [_, ..] if wrong.len() == 1 && wrong[0].name == "the sky" => {
+        [_, ..] if wrong.len() == 1 && wrong[0].name == SKY => {
             let count: usize = right.iter().map(|region| region.all).sum();
             format!("It differs from ours in {words}. All {count} pixels of the objects are right.")
         }

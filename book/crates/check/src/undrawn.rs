@@ -83,6 +83,13 @@ enum Membership {
     Outside,
 }
 
+/// What a line of pixels is.
+#[derive(Clone, Copy)]
+enum LineKind {
+    Column,
+    Row,
+}
+
 /// Which pixels in a reader's picture have a given colour.
 struct Mask {
     columns: u32,
@@ -198,8 +205,8 @@ impl Mask {
         let is_crossing = |i: u32, j: u32| columns.contains(&i) && rows.contains(&j);
         let is_shape = self.is_shape(is_crossing);
         let words = join_columns_and_rows(
-            &self.format_lines("column", &columns),
-            &self.format_lines("row", &rows),
+            &self.format_lines(LineKind::Column, &columns),
+            &self.format_lines(LineKind::Row, &rows),
         );
         is_shape.then_some(Shape { words: words?, cause: ShapeCause::Loop })
     }
@@ -219,7 +226,10 @@ impl Mask {
         if !is_shape || columns.is_empty() || rows.is_empty() {
             return None;
         }
-        let words = [self.format_lines("column", &columns), self.format_lines("row", &rows)];
+        let words = [
+            self.format_lines(LineKind::Column, &columns),
+            self.format_lines(LineKind::Row, &rows),
+        ];
         let words = words.into_iter().flatten().collect::<Vec<_>>().join(" and ");
         Some(Shape { words, cause: ShapeCause::Loop })
     }
@@ -244,8 +254,8 @@ impl Mask {
             }
             let [columns, rows] = [left..=right, top..=bottom].map(BTreeSet::from_iter);
             words.push(join_columns_and_rows(
-                &self.format_lines("column", &columns),
-                &self.format_lines("row", &rows),
+                &self.format_lines(LineKind::Column, &columns),
+                &self.format_lines(LineKind::Row, &rows),
             )?);
         }
         let cause = if words.len() == 1 { ShapeCause::Loop } else { ShapeCause::Unknown };
@@ -287,8 +297,11 @@ impl Mask {
 
     /// Formats rows or columns as `row 3`, `rows 3 to 9` or `every 2nd row from 1 to 359`. Returns
     /// None if there are none, or if they are all that the picture has.
-    fn format_lines(&self, word: &str, lines: &BTreeSet<u32>) -> Option<String> {
-        let all = if word == "row" { self.rows } else { self.columns };
+    fn format_lines(&self, kind: LineKind, lines: &BTreeSet<u32>) -> Option<String> {
+        let (word, all) = match kind {
+            LineKind::Column => ("column", self.columns),
+            LineKind::Row => ("row", self.rows),
+        };
         let (first, last) = (lines.first()?, lines.last()?);
         let mut steps = lines.iter().zip(lines.iter().skip(1)).map(|(line, next)| next - line);
         let step = steps.next().unwrap_or(1);
@@ -346,15 +359,18 @@ mod tests {
     fn lines_are_named_by_their_first_their_last_and_their_step() {
         let mask = mask_with_ten_rows(12, |_, _| true);
         let format =
-            |word, lines: &[u32]| mask.format_lines(word, &lines.iter().copied().collect());
-        assert_eq!(format("row", &[3]).as_deref(), Some("row 3"));
-        assert_eq!(format("row", &[3, 4, 5]).as_deref(), Some("rows 3 to 5"));
-        assert_eq!(format("column", &[1, 4, 7]).as_deref(), Some("every 3rd column from 1 to 7"));
-        assert_eq!(format("row", &[1, 2, 4]).as_deref(), Some("3 rows between 1 and 4"));
-        assert_eq!(format("row", &[]), None);
+            |kind, lines: &[u32]| mask.format_lines(kind, &lines.iter().copied().collect());
+        assert_eq!(format(LineKind::Row, &[3]).as_deref(), Some("row 3"));
+        assert_eq!(format(LineKind::Row, &[3, 4, 5]).as_deref(), Some("rows 3 to 5"));
+        assert_eq!(
+            format(LineKind::Column, &[1, 4, 7]).as_deref(),
+            Some("every 3rd column from 1 to 7")
+        );
+        assert_eq!(format(LineKind::Row, &[1, 2, 4]).as_deref(), Some("3 rows between 1 and 4"));
+        assert_eq!(format(LineKind::Row, &[]), None);
         let all: Vec<_> = (0..10).collect();
-        assert_eq!(format("row", &all), None);
-        assert_eq!(format("column", &all).as_deref(), Some("columns 0 to 9"));
+        assert_eq!(format(LineKind::Row, &all), None);
+        assert_eq!(format(LineKind::Column, &all).as_deref(), Some("columns 0 to 9"));
     }
 
     #[test]
