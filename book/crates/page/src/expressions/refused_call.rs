@@ -487,6 +487,8 @@ mod tests {
             ("n", Some("f64::from(n)")),
             ("pi", Some("std::f64::consts::PI")),
             ("DVec3::normalise", Some("DVec3::normalize")),
+            ("DVec3::flooor", Some("DVec3::floor")),
+            ("flooor", Some("f64::floor")),
             ("teapot", None),
         ] {
             assert_eq!(compiler.find_near_path(name).as_deref(), near, "{name}");
