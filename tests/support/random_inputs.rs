@@ -4,6 +4,7 @@ use fastrand::Rng;
 use glam::DVec3;
 
 /// A source of random inputs. Its seed is fixed, so every run gets the same inputs.
+#[derive(Debug)]
 pub struct RandomInputs(Rng);
 
 /// Calls `law` `count` times. A law asserts something that holds for every input.

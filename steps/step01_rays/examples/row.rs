@@ -3,6 +3,7 @@
 use glam::{DMat2, DVec2};
 
 /// A row of rays from the origin, looking along +y (slide "Generating Rays in 2D").
+#[derive(Debug)]
 pub struct Row {
     /// [D V_0]: the step from one direction to the next, and the first direction.
     pub matrix: DMat2,

@@ -1,5 +1,5 @@
 /// The shape of a picture, such as 16:9 (slide "Quick Aside about Aspect Ratios").
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub struct AspectRatio {
     /// W, the first number of the ratio; above 0.
     pub width: f64,

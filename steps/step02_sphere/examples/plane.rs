@@ -7,6 +7,7 @@ use step02_sphere::{
 };
 
 /// A plane, the points p with n·(p − q) = 0.
+#[derive(Debug)]
 pub struct Plane {
     /// q, any point on it.
     pub point: DVec3,

@@ -7,6 +7,7 @@ use step02_sphere::{
 };
 
 /// A shape of any kind that this program knows.
+#[derive(Debug)]
 pub enum Shape {
     /// A ball.
     Sphere(Sphere),

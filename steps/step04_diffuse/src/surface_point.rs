@@ -2,6 +2,7 @@ use crate::{Hit, Object, Ray, Sphere, nearest};
 use glam::DVec3;
 
 /// A point of a surface, seen by a ray.
+#[derive(Debug)]
 pub struct SurfacePoint<'a, M> {
     /// The hit: its t, and the object.
     pub hit: Hit<'a, M>,

@@ -15,6 +15,7 @@ use step05_phong::{
 };
 
 /// A material that may be glass.
+#[derive(Debug)]
 pub struct Glass {
     /// Its material. If it is glass, only the material's highlights are seen.
     pub material: Material,

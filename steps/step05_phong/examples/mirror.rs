@@ -37,6 +37,7 @@ pub fn shadowed_phong<M>(
 }
 
 /// A material that is partly a mirror.
+#[derive(Debug)]
 pub struct Mirror {
     /// Its own material, whose paint has the weight 1 − k.
     pub material: Material,

@@ -5,7 +5,7 @@ use glam::DVec3;
 use std::ops::AddAssign;
 
 /// The three terms of the light that goes from a point to the eye.
-#[derive(Default)]
+#[derive(Debug, Default)]
 pub struct Terms {
     /// I_a, from the light that is the same everywhere.
     pub ambient: DVec3,

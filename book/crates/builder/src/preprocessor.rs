@@ -13,6 +13,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 /// The preprocessor that expands the directives of all chapters.
+#[derive(Debug)]
 pub struct ChapterPreprocessor(pub Arc<Sources>);
 
 impl ChapterPreprocessor {

@@ -6,6 +6,7 @@ use image::RgbImage;
 use std::collections::BTreeMap;
 
 /// A drawing or a picture that a reader can change on a page.
+#[derive(Debug)]
 pub struct Figure {
     /// The name in chapters and requests.
     pub name: &'static str,
@@ -29,6 +30,7 @@ pub struct Figure {
 }
 
 /// What a figure shows at given values.
+#[derive(Debug)]
 pub enum Content {
     /// Lines and labels.
     Drawing {
@@ -62,6 +64,7 @@ pub fn collect_readouts<const N: usize>(texts: [(&str, String); N]) -> Readouts 
 
 /// A scene in which the reader can set everything. Its parameters belong to objects, and the page
 /// shows the controls of one object at a time.
+#[derive(Debug)]
 pub struct EditableScene {
     /// Formats the Rust program that draws the scene.
     pub program: fn(&ParameterValues) -> String,

@@ -3,6 +3,7 @@
 use crate::probe::SIZE;
 use crate::{ParameterId, ParameterValues, PointId, View, direction_left_of_up};
 use glam::{DVec2, DVec3};
+use std::fmt::{self, Debug, Formatter};
 use step01_rays::Camera;
 
 /// A mark in a drawing or a picture that the reader can drag, or move with the arrow keys.
@@ -31,6 +32,21 @@ pub struct Handle {
 
 type Locate = dyn Fn(&ParameterValues) -> Option<DVec2> + Send + Sync;
 type CoordinatesAt = dyn Fn(&ParameterValues, DVec2) -> Option<DVec2> + Send + Sync;
+
+/// Leaves out the closures, which have nothing to show.
+impl Debug for Handle {
+    fn fmt(&self, f: &mut Formatter) -> fmt::Result {
+        let Self { words, mark, horizontal, vertical, depth, presence, .. } = self;
+        f.debug_struct("Handle")
+            .field("words", words)
+            .field("mark", mark)
+            .field("horizontal", horizontal)
+            .field("vertical", vertical)
+            .field("depth", depth)
+            .field("presence", presence)
+            .finish_non_exhaustive()
+    }
+}
 
 /// What a handle looks like.
 #[derive(Clone, Copy, Debug, PartialEq)]

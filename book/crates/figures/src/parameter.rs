@@ -7,7 +7,7 @@ use crate::{ParameterId, ParameterValues, PointId};
 ///
 /// Everything that a page knows about it comes from here: the builder prints its control, and the
 /// reply to `about` has the rest.
-#[derive(Clone)]
+#[derive(Clone, Debug)]
 pub struct Parameter {
     /// The name under which its value is stored.
     pub id: ParameterId,

@@ -24,6 +24,7 @@ impl FileVerdict {
 }
 
 /// A verdict, with a sentence about it.
+#[derive(Debug)]
 pub(crate) struct Feedback {
     pub verdict: FileVerdict,
     /// Empty if the picture is right and there is nothing unusual about the file.

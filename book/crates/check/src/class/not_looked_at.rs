@@ -7,20 +7,21 @@ const MOST_LISTED: usize = 100;
 const MOST_IN_CLAUSE: usize = 8;
 
 /// Everything that was skipped: the first few paths, and how many there are in all.
-#[derive(Default)]
+#[derive(Debug, Default)]
 pub(crate) struct NotLookedAt {
     pub first: Vec<SkippedPath>,
     pub count: usize,
 }
 
 /// A file or folder that was skipped.
+#[derive(Debug)]
 pub(crate) struct SkippedPath {
     pub printable_path: String,
     pub reason: SkipReason,
 }
 
 /// Why a file or folder was skipped.
-#[derive(Clone, Copy, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum SkipReason {
     /// The file isn't named after a picture.
     OtherName,

@@ -12,6 +12,7 @@ use course::json;
 const MISSING: &str = "missing";
 
 /// The report on a class.
+#[derive(Debug)]
 pub struct ClassReport {
     pub(crate) students: Vec<StudentReport>,
     /// What else is in the class's folder.
@@ -19,6 +20,7 @@ pub struct ClassReport {
 }
 
 /// The report on a reader's own pictures.
+#[derive(Debug)]
 pub struct OwnReport {
     pub(crate) own: StudentReport,
 }

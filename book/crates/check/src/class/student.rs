@@ -11,6 +11,7 @@ use course::{names_of_right_pictures, read_locked_picture};
 const MOST_FILES_OF_PICTURE: usize = 8;
 
 /// The report on a student's folder.
+#[derive(Debug)]
 pub(crate) struct StudentReport {
     /// The name of the folder, escaped for a terminal.
     pub name: String,
@@ -20,6 +21,7 @@ pub(crate) struct StudentReport {
 }
 
 /// The report on one of a student's pictures.
+#[derive(Debug)]
 pub(crate) struct PictureReport {
     /// The name of the picture.
     pub picture: &'static str,
@@ -33,6 +35,7 @@ pub(crate) struct PictureReport {
 }
 
 /// The report on one file.
+#[derive(Debug)]
 pub(crate) struct FileReport {
     pub printable_path: String,
     pub result: Result<Answer, CheckError>,
@@ -40,7 +43,7 @@ pub(crate) struct FileReport {
 }
 
 /// A fact about a student's folder that a person should know.
-#[derive(Clone, Copy, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Note {
     NothingHandedIn,
     NoFolder,

@@ -9,6 +9,7 @@ use std::iter::zip;
 use step05_phong::{Camera, Light, Material, Scene, colour, render};
 
 /// A reader's scene and camera: everything that determines the picture, except its size.
+#[derive(Debug)]
 pub struct OwnScene {
     /// The camera's field of view, in degrees.
     pub fov_degrees: f64,

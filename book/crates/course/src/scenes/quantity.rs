@@ -7,6 +7,7 @@ use glam::DVec3;
 use step05_phong::Matte;
 
 /// One number in a scene or three that belong together, such as a radius, a position or a colour.
+#[derive(Debug)]
 pub struct Quantity {
     /// The name in a sentence, to be followed by "of" and the owner.
     pub name: &'static str,
@@ -44,6 +45,7 @@ pub struct Typed {
 }
 
 /// A single number in a scene, such as a radius or the x of a position.
+#[derive(Debug)]
 pub struct Scalar {
     /// The symbol, or an empty string.
     pub symbol: &'static str,
