@@ -12,11 +12,12 @@ pub fn svg_files(workspace: &Path) -> Result<Vec<(String, Vec<u8>)>> {
     let style = standalone_style(&read("drawing.css")?, &read("variables.css")?);
     let files = FIGURES.iter().filter_map(|figure| {
         let Content::Drawing { title, draw, .. } = figure.content else { return None };
-        let svg = draw(&figure.default_values()).html(title);
+        let html = draw(&figure.default_values()).html(title);
         // Leave room on both sides, because a program without our fonts may use wider letters.
-        let svg = svg.replacen("\"0 0 480", "\"-24 0 528", 1);
-        let svg = svg.replacen("<svg", "<svg xmlns=\"http://www.w3.org/2000/svg\"", 1);
-        let svg = svg.replacen("<g>", &format!("<style>{style}</style><g>"), 1);
+        let svg = html
+            .replacen("\"0 0 480", "\"-24 0 528", 1)
+            .replacen("<svg", "<svg xmlns=\"http://www.w3.org/2000/svg\"", 1)
+            .replacen("<g>", &format!("<style>{style}</style><g>"), 1);
         Some((format!("figure-{}.svg", figure.name), svg.into_bytes()))
     });
     Ok(files.collect())

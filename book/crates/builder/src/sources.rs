@@ -38,14 +38,16 @@ impl Sources {
             }
         }
         for step in Step::ALL {
-            let wrong = course::read_small_pictures(workspace, step);
-            let wrong = wrong.with_context(|| step.name())?.into_iter();
-            let wrong = wrong.map(|(name, picture)| (format!("mistake-{name}.png"), picture));
-            let right = files.get(&format!("{}.png", step.name()));
-            let right = right.with_context(|| format!("{} has no locked picture", step.name()))?;
-            let right = course::make_small_picture(&image::load_from_memory(right)?.into_rgb8());
-            for (name, picture) in wrong.chain([(small_picture_name(step), right)]) {
-                files.insert(name, encode_png(&picture));
+            let locked_png = files
+                .get(&format!("{}.png", step.name()))
+                .with_context(|| format!("{} has no locked picture", step.name()))?;
+            let locked = image::load_from_memory(locked_png)?.into_rgb8();
+            let small = encode_png(&course::make_small_picture(&locked));
+            files.insert(small_picture_name(step), small);
+            for (name, picture) in
+                course::read_small_pictures(workspace, step).with_context(|| step.name())?
+            {
+                files.insert(format!("mistake-{name}.png"), encode_png(&picture));
             }
         }
         for name in MODULES {

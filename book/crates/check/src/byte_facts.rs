@@ -100,12 +100,12 @@ pub(crate) fn byte_curve_sentence(comparison: &Comparison, scene: &StepScene) ->
     let mut curve = sorted_curve(comparison.pixels(), scene)?;
     curve.retain(|(_, yours, ours)| yours != ours);
     let points = [1, 3, 5].map(|part| curve[part * curve.len() / 6]);
-    let points = points.map(|(i, yours, ours)| format!("{i:.3} becomes {yours} (ours: {ours})"));
-    let mut points = points.to_vec();
-    points.dedup();
+    let clauses = points.map(|(i, yours, ours)| format!("{i:.3} becomes {yours} (ours: {ours})"));
+    let mut clauses = clauses.to_vec();
+    clauses.dedup();
     let values: BTreeSet<_> = curve.iter().map(|(_, yours, _)| yours).collect();
     let file = curve_file(values.len(), scene);
-    Some(format!("Each byte depends only on our intensity: {}.{file}", points.join(", ")))
+    Some(format!("Each byte depends only on our intensity: {}.{file}", clauses.join(", ")))
 }
 
 /// Returns the intensities of these pixels in ascending order, each with your byte and ours.

@@ -67,19 +67,21 @@ pub(crate) fn hidden_sentence(regions: &[Region]) -> Option<String> {
 pub(crate) fn region_sentence(mut regions: Vec<Region>) -> String {
     regions.sort_by_key(|region| Reverse(region.wrong));
     let (wrong, right): (Vec<_>, Vec<_>) = regions.iter().partition(|region| region.wrong > 0);
-    let words = wrong
+    let counts = wrong
         .iter()
         .map(|Region { name, all, wrong, .. }| format!("{wrong} of {all} pixels of {name}"));
-    let words = join_first(words.collect(), MOST_REGIONS, "; ");
+    let wrong_parts = join_first(counts.collect(), MOST_REGIONS, "; ");
     match right.iter().map(|region| &*region.name).collect::<Vec<_>>()[..] {
-        [] => format!("It differs from ours in {words}."),
+        [] => format!("It differs from ours in {wrong_parts}."),
         [_, ..] if wrong.len() == 1 && wrong[0].name == SKY => {
             let count: usize = right.iter().map(|region| region.all).sum();
-            format!("It differs from ours in {words}. All {count} pixels of the objects are right.")
+            format!(
+                "It differs from ours in {wrong_parts}. All {count} pixels of the objects are right."
+            )
         }
         ref names => {
-            let names = names.join(", ");
-            format!("It differs from ours in {words}. Right in every pixel: {names}.")
+            let right_parts = names.join(", ");
+            format!("It differs from ours in {wrong_parts}. Right in every pixel: {right_parts}.")
         }
     }
 }
@@ -95,18 +97,23 @@ mod tests {
     #[test]
     fn sentence_names_the_wrong_regions_and_the_right_ones() {
         let [sky, ball] = [region("the sky", 9, 0, 0), region("ball 1", 7, 2, 0)];
-        let words =
-            "It differs from ours in 2 of 7 pixels of ball 1. Right in every pixel: the sky.";
-        assert_eq!(region_sentence(vec![sky, ball]), words);
+        assert_eq!(
+            region_sentence(vec![sky, ball]),
+            "It differs from ours in 2 of 7 pixels of ball 1. Right in every pixel: the sky."
+        );
         let [sky, ball] = [region("the sky", 9, 1, 0), region("ball 1", 7, 0, 0)];
-        let words = "It differs from ours in 1 of 9 pixels of the sky. All 7 pixels of the objects \
-                     are right.";
-        assert_eq!(region_sentence(vec![sky, ball]), words);
-        let wrong = ["a", "b", "c", "d", "e"].into_iter().zip(1..);
-        let wrong = wrong.map(|(name, count)| region(name, 5, count, 0));
-        let words = "It differs from ours in 5 of 5 pixels of e; 4 of 5 pixels of d; 3 of 5 pixels \
-                     of c; 2 more.";
-        assert_eq!(region_sentence(wrong.collect()), words);
+        assert_eq!(
+            region_sentence(vec![sky, ball]),
+            "It differs from ours in 1 of 9 pixels of the sky. All 7 pixels of the objects are \
+             right."
+        );
+        let names_and_counts = ["a", "b", "c", "d", "e"].into_iter().zip(1..);
+        let all_wrong = names_and_counts.map(|(name, count)| region(name, 5, count, 0));
+        assert_eq!(
+            region_sentence(all_wrong.collect()),
+            "It differs from ours in 5 of 5 pixels of e; 4 of 5 pixels of d; 3 of 5 pixels of c; \
+             2 more."
+        );
     }
 
     #[test]

@@ -52,12 +52,12 @@ pub fn draw_new_mistakes() -> XtaskResult<()> {
 /// that the book shows. If the key changes, the mistake has to be drawn again.
 pub fn mistake_key(mistake: &Mistake, right: &[(&str, u64)]) -> XtaskResult<u32> {
     let steps: Vec<_> = mistake.affected_steps().map(Step::name).collect();
-    let right = right.iter().filter(|(name, _)| steps.contains(name));
-    let right = right.map(|(_, hash)| hash.to_string());
-    let shown = mistake.pictures().iter();
-    let shown = shown.map(|picture| format!("{} {}", picture.name, picture.step.name()));
+    let affected = right.iter().filter(|(name, _)| steps.contains(name));
+    let right_hashes = affected.map(|(_, hash)| hash.to_string());
+    let pictures = mistake.pictures().iter();
+    let shown_names = pictures.map(|picture| format!("{} {}", picture.name, picture.step.name()));
     let code = code_lines(&text_with_mistake(mistake)?);
-    Ok(hash_texts(right.chain(shown).chain([code])) as u32)
+    Ok(hash_texts(right_hashes.chain(shown_names).chain([code])) as u32)
 }
 
 impl Table {

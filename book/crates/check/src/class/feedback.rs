@@ -115,27 +115,29 @@ mod tests {
 
     #[test]
     fn right_picture_has_its_point_and_no_sentence() {
-        let feedback = judge(&Ok(answer(Verdict::Right)), &[]);
-        assert!(feedback.earns_point() && feedback.sentence.is_empty());
-        let feedback = judge(&Ok(answer(Verdict::NotRight)), &[]);
-        assert!(!feedback.earns_point());
-        assert_eq!(feedback.sentence, "The headline.");
+        let right = judge(&Ok(answer(Verdict::Right)), &[]);
+        assert!(right.earns_point() && right.sentence.is_empty());
+        let wrong = judge(&Ok(answer(Verdict::NotRight)), &[]);
+        assert!(!wrong.earns_point());
+        assert_eq!(wrong.sentence, "The headline.");
     }
 
     #[test]
     fn options_have_the_point_unless_something_else_gives_the_picture() {
-        let feedback = with_options(OptionDoubts::default());
-        assert!(feedback.earns_point());
-        assert_eq!(feedback.sentence, "The headline.");
-        let feedback = with_options(OptionDoubts { is_one_colour: true, ..Default::default() });
-        assert!(!feedback.earns_point());
-        assert_eq!(feedback.sentence, "The headline.");
-        let mistakes = vec![&mistakes()[0]];
-        let feedback = with_options(OptionDoubts { mistakes, ..Default::default() });
-        assert!(!feedback.earns_point());
-        let sentence = "Other options give this picture, and so does a mistake: the angle is in \
-                        degrees (steps/step01_rays/src/program.rs).";
-        assert_eq!(feedback.sentence, sentence);
+        let plain = with_options(OptionDoubts::default());
+        assert!(plain.earns_point());
+        assert_eq!(plain.sentence, "The headline.");
+        let one_colour = with_options(OptionDoubts { is_one_colour: true, ..Default::default() });
+        assert!(!one_colour.earns_point());
+        assert_eq!(one_colour.sentence, "The headline.");
+        let mistaken =
+            with_options(OptionDoubts { mistakes: vec![&mistakes()[0]], ..Default::default() });
+        assert!(!mistaken.earns_point());
+        assert_eq!(
+            mistaken.sentence,
+            "Other options give this picture, and so does a mistake: the angle is in degrees \
+             (steps/step01_rays/src/program.rs)."
+        );
     }
 
     #[test]
@@ -147,8 +149,8 @@ mod tests {
 
     #[test]
     fn cause_of_an_earlier_picture_is_named_again() {
-        let wrong = |cause: &str| {
-            let causes = vec![Cause::Camera("a".to_owned()), Cause::Camera(cause.to_owned())];
+        let wrong = |causes: &[&str]| {
+            let causes = causes.iter().map(|cause| Cause::Camera((*cause).to_owned())).collect();
             Ok(Answer { causes, ..answer(Verdict::NotRight) })
         };
         let file = |result| FileReport {
@@ -159,16 +161,15 @@ mod tests {
         let earlier = [PictureReport {
             picture: "step01_rays",
             counts: true,
-            files: vec![file(Ok(answer(Verdict::Right))), file(wrong("b"))],
+            files: vec![file(Ok(answer(Verdict::Right))), file(wrong(&["a", "b"]))],
             file_count: 2,
         }];
-        let feedback = judge(&wrong("c"), &earlier);
-        assert_eq!(feedback.sentence, "The cause of a wrong step01_rays explains this, too: a.");
-        let causes = vec![Cause::Camera("b".to_owned())];
-        let answer = Answer { causes, ..answer(Verdict::NotRight) };
-        let feedback = judge(&Ok(answer), &earlier);
-        assert_eq!(feedback.sentence, "The cause of a wrong step01_rays explains this, too: b.");
-        let feedback = judge(&Ok(self::answer(Verdict::NotRight)), &earlier);
-        assert_eq!(feedback.sentence, "The headline.");
+        for (causes, sentence) in [
+            (&["a", "c"][..], "The cause of a wrong step01_rays explains this, too: a."),
+            (&["b"], "The cause of a wrong step01_rays explains this, too: b."),
+            (&[], "The headline."),
+        ] {
+            assert_eq!(judge(&wrong(causes), &earlier).sentence, sentence);
+        }
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::expressions::evaluation::{Expression, Interruption, Run};
 use crate::expressions::functions::{Function, find_function, remainder_operations};
-use crate::expressions::operation::{range_of, split_operation, write_tokens};
+use crate::expressions::operation::{Operation, range_of, split_operation, write_tokens};
 use crate::expressions::part::{Code, Part, compile_literal};
 use crate::expressions::refusal::{Fault, Refusal, refuse};
 use crate::expressions::refused_call::{Call, explain_mismatch, is_method};
@@ -96,7 +96,7 @@ impl Compiler<'_> {
         if let Some(refusal) = unknown.or_else(|| self.refuse_unknown_function(syntax)) {
             return Err(refusal);
         }
-        let (name, operands, name_range) = split_operation(syntax)?;
+        let Operation { name, operands, name_range } = split_operation(syntax)?;
         let parts = operands.into_iter().map(|operand| self.compile_expression(operand));
         let parts = parts.collect::<Result<Vec<_>, _>>()?;
         let is_member = matches!(syntax, Expr::Field(_) | Expr::MethodCall(_));

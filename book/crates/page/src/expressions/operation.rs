@@ -8,8 +8,14 @@ use std::ops::Range;
 use syn::spanned::Spanned;
 use syn::{Expr, UnOp};
 
-/// A function's name in the table, its operands, and the range of its name or sign in the line.
-type Operation<'a> = (String, Vec<&'a Expr>, Range<usize>);
+/// An operation in a line.
+pub struct Operation<'a> {
+    /// The name of its function in the table.
+    pub name: String,
+    pub operands: Vec<&'a Expr>,
+    /// The range of its name or sign in the line.
+    pub name_range: Range<usize>,
+}
 
 /// The byte range of a part of the line.
 pub fn range_of(syntax: &impl Spanned) -> Range<usize> {
@@ -21,42 +27,47 @@ pub fn write_tokens(syntax: &impl ToTokens) -> String {
     syntax.to_token_stream().to_string().split_whitespace().collect()
 }
 
-/// Splits syntax into the name of the function or operator that it calls, the operands, and the
-/// range of that name.
+/// Finds the function or operator that an expression calls, and its operands.
 pub fn split_operation(syntax: &Expr) -> Result<Operation<'_>, Refusal> {
+    let operation = |name, operands, name_range| Operation { name, operands, name_range };
     Ok(match syntax {
         Expr::Unary(unary) => {
-            let sign = range_of(&unary.op);
+            let name_range = range_of(&unary.op);
             if let UnOp::Deref(_) = unary.op {
-                return refuse(sign, Fault::Dereference);
+                return refuse(name_range, Fault::Dereference);
             }
-            (write_tokens(&unary.op), vec![&*unary.expr], sign)
+            operation(write_tokens(&unary.op), vec![&*unary.expr], name_range)
         }
         Expr::Binary(binary) => {
             let operands = vec![&*binary.left, &*binary.right];
-            (write_tokens(&binary.op), operands, range_of(&binary.op))
+            operation(write_tokens(&binary.op), operands, range_of(&binary.op))
         }
         Expr::Cast(cast) => {
             let name = format!("as {}", write_tokens(&cast.ty));
-            (name, vec![&*cast.expr], range_of(&cast.as_token))
+            operation(name, vec![&*cast.expr], range_of(&cast.as_token))
         }
-        Expr::Array(array) => ("[…]".to_owned(), array.elems.iter().collect(), range_of(array)),
+        Expr::Array(array) => {
+            operation("[…]".to_owned(), array.elems.iter().collect(), range_of(array))
+        }
         Expr::Index(index) => {
             let name = format!("[{}]", write_tokens(&index.index));
-            (name, vec![&*index.expr], range_of(&index.bracket_token.span.join()))
+            operation(name, vec![&*index.expr], range_of(&index.bracket_token.span.join()))
         }
         Expr::Field(field) => {
-            let sign = range_of(&field.dot_token).start..range_of(field).end;
-            (format!(".{}", write_tokens(&field.member)), vec![&*field.base], sign)
+            let name = format!(".{}", write_tokens(&field.member));
+            let name_range = range_of(&field.dot_token).start..range_of(field).end;
+            operation(name, vec![&*field.base], name_range)
         }
         Expr::MethodCall(call) => {
             let name = format!("::{}{}", call.method, write_tokens(&call.turbofish));
-            let sign = range_of(&call.dot_token).start..range_of(&call.method).end;
-            (name, once(&*call.receiver).chain(&call.args).collect(), sign)
+            let operands = once(&*call.receiver).chain(&call.args).collect();
+            let name_range = range_of(&call.dot_token).start..range_of(&call.method).end;
+            operation(name, operands, name_range)
         }
-        Expr::Path(path) => (write_tokens(path), vec![], range_of(path)),
+        Expr::Path(path) => operation(write_tokens(path), vec![], range_of(path)),
         Expr::Call(call) if !call.args.is_empty() => {
-            (write_tokens(&call.func), call.args.iter().collect(), range_of(&call.func))
+            let operands = call.args.iter().collect();
+            operation(write_tokens(&call.func), operands, range_of(&call.func))
         }
         Expr::Reference(reference) => {
             return refuse(range_of(&reference.and_token), Fault::Reference);
