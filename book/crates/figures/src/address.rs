@@ -8,7 +8,7 @@ use thiserror::Error;
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum AddressError {
     /// No parameter has this name.
-    #[error("The address speaks of “{0}”, and nothing here is called so.")]
+    #[error("The address sets “{0}”, but nothing here has that name.")]
     UnknownParameter(String),
     /// The value isn't a number within the parameter's range.
     #[error(

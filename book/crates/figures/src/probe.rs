@@ -28,7 +28,7 @@ pub fn probed_picture(
     // The handle is at the centre of its pixel.
     let locate = |values: &ParameterValues| Some(dvec2(values[I], values[J]) + 0.5);
     let handle =
-        Handle::new("the pixel that you ask", [I, J], locate, |_, position| Some(position - 0.5));
+        Handle::new("the chosen pixel", [I, J], locate, |_, position| Some(position - 0.5));
     Figure {
         parameters: own.into_iter().chain(others).collect(),
         handles: vec![Handle { mark: Mark::Probe, ..handle }],

@@ -208,7 +208,7 @@ mod tests {
             (
                 "row",
                 show("moon:1", None),
-                "The address speaks of “moon”, and nothing here is called so.",
+                "The address sets “moon”, but nothing here has that name.",
             ),
         ] {
             let error = reply(name, &request).expect_err(message);

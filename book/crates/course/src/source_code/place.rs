@@ -243,7 +243,7 @@ impl Display for PlaceListError {
             PlaceListFault::NoFile => write!(f, "a place needs a line `@ FILE` above it"),
             PlaceListFault::NoPlace => write!(f, "an indented line needs a place above it"),
             PlaceListFault::NoCode => write!(f, "a place is `NAME: TYPE = CODE`"),
-            PlaceListFault::NoNames => write!(f, "a type needs names behind it"),
+            PlaceListFault::NoNames => write!(f, "a type needs names after it"),
             PlaceListFault::UnknownType(name) => write!(f, "no value has the type `{name}`"),
             PlaceListFault::UnknownNote(words) => write!(f, "there is no note `{words}`"),
         }
@@ -287,7 +287,7 @@ misses: bool = d < 0.0
         assert_eq!(fault("@ x\n    f64 a"), "line 2: an indented line needs a place above it");
         assert_eq!(fault("@ x\na: f64"), "line 2: a place is `NAME: TYPE = CODE`");
         assert_eq!(fault("@ x\na: f32 = 1.0"), "line 2: no value has the type `f32`");
-        assert_eq!(fault("@ x\na: f64 = b\n  f64"), "line 3: a type needs names behind it");
+        assert_eq!(fault("@ x\na: f64 = b\n  f64"), "line 3: a type needs names after it");
         assert_eq!(fault("@ x\na: f64 = b\n  note: c"), "line 3: there is no note `c`");
     }
 

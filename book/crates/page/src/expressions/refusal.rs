@@ -57,10 +57,10 @@ pub enum Fault {
     Statement,
     #[error("Leave out the ; here: what ends in a ; is a statement, and has no value.")]
     Semicolon,
-    #[error("The line has to be one value: leave out the ;, and what is before or behind it.")]
+    #[error("The line has to be one value: leave out the ;, and what comes before or after it.")]
     TwoStatements,
-    #[error("A value is missing behind this.")]
-    MissingBehind,
+    #[error("A value is missing after this.")]
+    MissingAfter,
     #[error("Something is missing before this, such as a value, * or +.")]
     MissingBefore,
     #[error("A value is missing before this. Powers are .powi(2).")]
@@ -79,17 +79,17 @@ pub enum Fault {
     MissingElse,
     #[error("In a block, a page knows let x = …; and a value at the end, nothing else.")]
     Block,
-    #[error("This block needs a value at its end, without a ; behind it.")]
+    #[error("This block needs a value at its end, without a ; after it.")]
     BlockWithoutValue,
     #[error("A page knows no other types than f64, DVec3, i32, bool and [f64; 3].")]
     TypeName,
-    #[error("Take another name here, in small letters.")]
+    #[error("Use a different name here, in lower-case letters.")]
     Name,
-    #[error("{0} is taken, and a page can't give a name twice. Take another.")]
+    #[error("{0} is already taken, and a page can't give a name twice. Use a different one.")]
     TakenName(String),
     #[error("Put parentheses around the block at the beginning.")]
     BlockAtStart,
-    #[error("It stands behind a &&: put parentheses around it.")]
+    #[error("This comes after a &&: put parentheses around it.")]
     OrAfterAnd,
     #[error(
         "A page can't draw with this part of Rust: it knows let, if … else, blocks, arrays of \
@@ -108,7 +108,7 @@ pub enum Fault {
     BeyondI32 { cure: String },
     #[error("The numbers here are f64 and i32. Write {cure}.")]
     Suffix { cure: String },
-    #[error("Rust can't tell yet which kind of number this is: write _f64 behind it.")]
+    #[error("Rust can't tell yet which kind of number this is: write _f64 after it.")]
     OpenValue,
     #[error("Rust can't tell yet which kind of number this is: write {cure}.")]
     OpenLiteral { cure: String },
@@ -128,7 +128,7 @@ pub enum Fault {
     Index,
     #[error("An array here has three numbers.")]
     ArrayLength,
-    #[error("Behind as, there is f64 or i32.")]
+    #[error("After as, there is f64 or i32.")]
     Cast,
     #[error("A page can't draw with {0}.")]
     Operator(String),
@@ -158,7 +158,7 @@ pub enum Fault {
     UnknownMember { name: String, receiver: ValueType, members: String },
     #[error("{name} isn't known here. {cure}")]
     UnknownName { name: String, cure: String },
-    #[error("{name} is no number or vector by itself. {cure}")]
+    #[error("{name} isn't a number or a vector by itself. {cure}")]
     PartOfName { name: String, cure: String },
     #[error("A page can't draw with {name}. {cure}")]
     UnknownCall { name: String, cure: String },

@@ -49,7 +49,7 @@ pub fn explain_mismatch(subject: &str, part: &Part, text: &str, wanted: ValueTyp
         (Vector, F64) => " a.dot(b) makes a number of two vectors.",
         (F64, Vector) => " DVec3::splat(…) makes a vector of it.",
         (Array, Vector) => " DVec3::from(…) makes a vector of it.",
-        (F64, I32) if subject.starts_with(".powi") => " Write 2, or take .powf.",
+        (F64, I32) if subject.starts_with(".powi") => " Write 2, or use .powf.",
         (F64, I32) => " as i32 makes one of it, without its fraction.",
         _ => "",
     };

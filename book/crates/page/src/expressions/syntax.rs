@@ -110,7 +110,7 @@ fn explain_syntax_error(text: &str, range: Range<usize>, error: &str) -> Refusal
         };
         (range, fault)
     } else if is_at_end {
-        (end - 1..end, Fault::MissingBehind)
+        (end - 1..end, Fault::MissingAfter)
     } else {
         (range, Fault::MissingBefore)
     };
@@ -142,7 +142,7 @@ mod tests {
         assert_eq!(explain("a) * b"), (1..2, Fault::UnopenedBracket));
         assert_eq!(explain("a * /* b"), (4..5, Fault::Unreadable));
         assert_eq!(explain("a * / b"), (4..5, Fault::MissingBefore));
-        assert_eq!(explain("a *"), (2..3, Fault::MissingBehind));
+        assert_eq!(explain("a *"), (2..3, Fault::MissingAfter));
     }
 
     #[test]
