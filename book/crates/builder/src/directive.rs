@@ -38,7 +38,8 @@ pub enum DirectiveKind {
 }
 
 impl DirectiveKind {
-    const ALL: [Self; 21] = [
+    /// All kinds.
+    pub const ALL: [Self; 21] = [
         Self::Include,
         Self::Value,
         Self::Number,
@@ -63,7 +64,7 @@ impl DirectiveKind {
     ];
 
     /// Its name in a chapter.
-    fn name(self) -> &'static str {
+    pub fn name(self) -> &'static str {
         match self {
             Self::Include => "include",
             Self::Value => "value",
