@@ -13,7 +13,18 @@
 
     book.followScene = figure => {
         dragObjects(figure);
-        if (figure.isPreview) return followLink(figure);
+        if (figure.isPreview) followLink(figure);
+        else addTools(figure);
+        const { afterShow } = figure;
+        figure.afterShow = () => {
+            afterShow();
+            markCoveredBalls(figure);
+        };
+        markCoveredBalls(figure);
+    };
+
+    /** @param {InteractiveFigure} figure */
+    function addTools(figure) {
         const tools = book.make("div", { class: "tools" });
         figure.controls.append(tools);
         /** @type {AddTool} */
@@ -27,7 +38,20 @@
         addSphereButton(figure, addTool);
         addColourField(figure, tools);
         addCopies(figure, addTool, writeAddress);
-    };
+    }
+
+    // Marks the handles of balls whose centre is behind another ball.
+    /** @param {InteractiveFigure} figure */
+    function markCoveredBalls(figure) {
+        for (const { element, about, object, position } of figure.handles) {
+            const isVisible = about.mark !== "point" || element.hidden || pickObject(figure, position) === object;
+            element.classList.toggle("covered", !isVisible);
+        }
+    }
+
+    // Returns the name of the object at a position in the picture.
+    /** @param {InteractiveFigure} figure @param {[number, number]} position @returns {string | null} */
+    const pickObject = ({ module, name, values }, position) => book.ask(module, { request: "pick", figure: name, values, position }).object;
 
     // The link below a preview leads to its scene. Once the scene has changed, there's a Reset, too.
     /** @param {InteractiveFigure} figure */
@@ -169,8 +193,7 @@
     function dragObjects(figure) {
         /** @param {{ clientX: number, clientY: number }} pointer */
         const findHandle = pointer => {
-            const { module, name, values } = figure;
-            const { object } = book.ask(module, { request: "pick", figure: name, values, position: figure.positionOfPointer(pointer) });
+            const object = pickObject(figure, figure.positionOfPointer(pointer));
             return figure.handles.find(handle => handle.object === object && !handle.element.hidden);
         };
         figure.stage.addEventListener("pointerdown", event => {

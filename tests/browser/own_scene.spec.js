@@ -16,6 +16,7 @@ test('a ball is dragged, coloured, undone and kept, and a sphere comes in', asyn
   await page.keyboard.press('ControlOrMeta+z'); // Before the address is written.
   await expect(page).not.toHaveURL(/#scene/);
   await press('Redo');
+  await expect(page.locator('.handle.covered')).toHaveCount(0);
   await page.locator('.tools input').fill('#00ff00');
   await expect(page).toHaveURL(/#scene=red-sphere-upwards:.*red-sphere-red:0,red-sphere-green:1,red-sphere-blue:0$/);
   // The line that changed is marked in the program.
@@ -40,6 +41,12 @@ test('a ball is dragged, coloured, undone and kept, and a sphere comes in', asyn
   await page.locator('main a[href^="#scene="]').first().click();
   await expect(page).not.toHaveURL(/tenth-sphere/);
   await expect(page.locator('.refused')).toBeHidden();
+});
+
+test('the handle of a ball behind another is marked', async ({ page, home }) => {
+  await open(page, `${home}own_scene.html#scene=red-sphere-sideways:-2.1`);
+  await page.locator('figure[data-live=own_scene][data-ready]').waitFor({ timeout: 20_000 });
+  await expect(page.locator('.handle.covered')).toHaveAccessibleName('blue sphere');
 });
 
 test('Ctrl+Z undoes, Ctrl+Y and Ctrl+Shift+Z redo', async ({ page, home }) => {

@@ -290,6 +290,8 @@ interface Handle {
   index: number;
   /** The object that it moves, in an editable scene. */
   object: string | undefined;
+  /** Its position in the last reply. */
+  position: [number, number] | null;
   grab(event: PointerEvent): void;
   changeDepth(length: number): void;
   show(): void;
