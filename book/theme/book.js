@@ -269,7 +269,7 @@ const book = /** @type {any} */ ({ root: document.documentElement });
     // The commands of a console are copied without the prompt and without what they print.
     for (const code of document.querySelectorAll(".console code")) {
         const button = book.make("button", { type: "button", class: "copy", "aria-label": "Copy the command" }, "Copy");
-        code.closest("figure").querySelector("figcaption").append(button);
+        code.closest("figure").append(button);
         button.addEventListener("click", () => {
             const lines = code.textContent.split("\n").filter(line => line.startsWith("$ "));
             book.copyBy(button, lines.map(line => line.slice(2)).join("\n"));

@@ -1,4 +1,4 @@
-//! Commands for the reader to type, with a caption that says in which folder.
+//! Commands for the reader to type. A caption says so if they are for our folder.
 
 use crate::fault::{ChapterError, ChapterResult};
 use crate::markdown::html_block;
@@ -42,21 +42,22 @@ impl ConsoleKind {
     }
 }
 
-/// Returns commands under a caption that says in which folder to type them, the reader's or ours.
-/// `words` say which kind of console it is.
+/// Returns commands for the reader to type. `words` say which kind of console it is. Only commands
+/// for our folder have a caption, since nearly all others are for the reader's, and step 1 says that
+/// once for all of them.
 pub fn console_markdown(words: &str, commands: &str) -> ChapterResult<String> {
     let kind = ConsoleKind::ALL.into_iter().find(|kind| kind.words() == words);
     let kind = kind.ok_or(ChapterError::ConsoleForm)?;
     let caption = match kind {
-        ConsoleKind::Ours => "in <a href=\"how.html#two-folders\">our folder</a>",
-        ConsoleKind::Yours | ConsoleKind::Refused | ConsoleKind::Fails => "in your folder",
+        ConsoleKind::Ours => {
+            "<figcaption>in <a href=\"how.html#two-folders\">our folder</a></figcaption>"
+        }
+        ConsoleKind::Yours | ConsoleKind::Refused | ConsoleKind::Fails => "",
     };
     let folder = kind.attribute();
     // The prompt gets its own element, so that the stylesheet can keep it from being copied.
     let commands = format!("\n{}", escape(commands)).replace("\n$ ", "\n<span>$ </span>");
-    let caption = format!(
-        "<figure class=\"console\" data-folder=\"{folder}\"><figcaption>{caption}</figcaption>"
-    );
+    let caption = format!("<figure class=\"console\" data-folder=\"{folder}\">{caption}");
     // As a block of its own, it may contain blank lines.
     let commands = format!("<pre><code>{}</code></pre>", commands.trim_start());
     Ok([&caption, &commands, "</figure>"].map(html_block).concat())
@@ -70,7 +71,15 @@ mod tests {
     fn prompt_is_marked_in_each_line() {
         let html = console_markdown("yours", "$ a > b\n$ c").expect("a console");
         assert!(html.contains("<code><span>$ </span>a &gt; b\n<span>$ </span>c</code>"), "{html}");
-        assert!(html.contains("in your folder"));
+    }
+
+    #[test]
+    fn caption_names_our_folder_and_not_the_readers() {
+        for (words, has_caption) in [("ours", true), ("yours", false), ("yours,fails", false)] {
+            let html = console_markdown(words, "$ a").expect("a console");
+            assert_eq!(html.contains("our folder</a></figcaption>"), has_caption, "{html}");
+            assert_eq!(html.contains("figcaption"), has_caption, "{html}");
+        }
     }
 
     #[test]
