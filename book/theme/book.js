@@ -313,6 +313,13 @@ const book = /** @type {any} */ ({ root: document.documentElement });
     // Make parts that may scroll sideways focusable, so that the keyboard can scroll them.
     document.querySelectorAll("main :is(pre, .table-wrapper)").forEach(part => { part.tabIndex = 0; });
 
+    // Browsers don't all take a figure's name from its caption. A listing has the name of its file.
+    document.querySelectorAll("figure:not([aria-label]) > figcaption").forEach((caption, k) => {
+        const label = caption.querySelector(".path") ?? caption;
+        label.id ||= `caption-${k}`;
+        caption.parentElement.setAttribute("aria-labelledby", label.id);
+    });
+
     // Tell translation programs to leave code, formulas and labels alone.
     document.querySelectorAll("code, math, svg, .symbol, .path").forEach(part => part.setAttribute("translate", "no"));
 

@@ -425,7 +425,7 @@
             figures.set(root, figure);
             if (figure.probe && !figure.isPreview) movePixelOfAddress();
             if (figure.reply.address !== undefined) book.followScene(figure);
-            Object.assign(controls, { hidden: false, inert: false });
+            controls.hidden = false;
             root.dataset.ready = "";
             if (figure.isPreview) beginPreview(figure);
         } catch (error) {

@@ -51,6 +51,7 @@ test('paper is light, and forced colours keep the cross', async ({ page, home })
   await open(page, `${home}step03_nearest.html`);
   await expect(page.locator('h1')).toHaveCSS('color', 'rgb(35, 33, 30)');
   await page.emulateMedia({ media: 'screen', forcedColors: 'active' });
+  await expect(page.locator('h1 > a')).toHaveCSS('color', await page.locator('main > p').first().evaluate(one => getComputedStyle(one).color));
   await page.locator('figure[data-live="step03_nearest"]').scrollIntoViewIfNeeded();
   await expect(page.locator('.handle-probe').first()).toHaveCSS('background-image', /gradient/, { timeout: 20_000 });
 });

@@ -55,6 +55,17 @@ test('the section that is being read is marked in the contents', async ({ page, 
   await expect(marked).toHaveCount(0);
 });
 
+test('a screen reader has the controls of figures from the first, and each figure has a name', async ({ page, home, browserName }) => {
+  test.skip(browserName !== 'chromium', 'only Chromium shows its tree to a test');
+  await openAll(page, `${home}step05_phong.html`);
+  const tools = await page.context().newCDPSession(page);
+  const { nodes } = await tools.send('Accessibility.getFullAXTree');
+  const names = role => nodes.filter(node => !node.ignored && node.role.value === role).map(node => node.name.value);
+  expect(names('slider')).toContain('n of the salmon sphere');
+  expect(names('figure')).not.toContain('');
+  expect(names('figure')).toContainEqual(expect.stringMatching(/phong\.rs/));
+});
+
 test('commands are copied without the prompt and the output', async ({ page, home, browserName }) => {
   test.skip(browserName !== 'chromium', 'only Chromium has a clipboard that a test can read');
   await open(page, `${home}step01_program.html`);

@@ -57,7 +57,9 @@ pub fn console_markdown(words: &str, commands: &str) -> ChapterResult<String> {
     let folder = kind.attribute();
     // The prompt gets its own element, so that the stylesheet can keep it from being copied.
     let commands = format!("\n{}", escape(commands)).replace("\n$ ", "\n<span>$ </span>");
-    let caption = format!("<figure class=\"console\" data-folder=\"{folder}\">{caption}");
+    let caption = format!(
+        "<figure class=\"console\" aria-label=\"Commands\" data-folder=\"{folder}\">{caption}"
+    );
     // As a block of its own, it may contain blank lines.
     let commands = format!("<pre><code>{}</code></pre>", commands.trim_start());
     Ok([&caption, &commands, "</figure>"].map(html_block).concat())

@@ -45,7 +45,7 @@ pub fn controls_html(figure: &Figure) -> String {
         format!("{above}{}{RESET}", exact_html(&exact))
     };
     let tool = if figure.editable_scene.is_some() { " tool" } else { "" };
-    format!("<div class=\"controls{tool}\" hidden inert>{hint}{content}</div>")
+    format!("<div class=\"controls{tool}\" hidden>{hint}{content}</div>")
 }
 
 /// The HTML of the hint below a picture that only becomes interactive once it is touched.
@@ -109,8 +109,8 @@ impl Control<'_> {
         let Parameter { id, symbol, words, unit, range: [min, max], default, .. } = self.parameter;
         let step = self.parameter.step();
         let range = format!("min=\"{min}\" max=\"{max}\" step=\"{step}\" value=\"{default}\"");
-        let slider = format!("<input type=\"range\" {range}>");
-        let name = escape(&format!("{symbol} {words}"));
+        let name = escape(format!("{symbol} {words}").trim());
+        let slider = format!("<input type=\"range\" {range} aria-label=\"{name}\">");
         let number = format!("<input type=\"number\" aria-label=\"{name}\" {range}>");
         let label = label_html(symbol, words);
         let (class, content) = match self.parameter.kind {
