@@ -1,7 +1,7 @@
 //! The list of locked pictures.
 
 use course::examples::{checkerboard::colour as floor, mirror, terms};
-use course::{DrawPicture, camera, camera_with_size, ungated_colour};
+use course::{DrawPicture, camera, camera_with_size, colour_without_gate};
 use glam::{DMat3, DVec3};
 use image::RgbImage;
 use image::imageops::{FilterType, resize};
@@ -46,7 +46,7 @@ chapter_pictures! {
     sixteen_rays: four_tiles_camera(), |camera, _| enlarge(render(camera, 4, floor));
     open_gate: gate_detail_camera(), |camera, _| {
         let scene = scene();
-        enlarge(render(camera, 1, |ray| ungated_colour(&scene, ray)))
+        enlarge(render(camera, 1, |ray| colour_without_gate(&scene, ray)))
     };
     shut_gate: gate_detail_camera(), |camera, _| enlarge(picture(camera, 1));
     speckled: camera_without_tan(), |camera, _| draw_shadows_of_mirrors(camera, 0.0);

@@ -28,4 +28,4 @@ mod aspect_ratio;
 pub use aspect_ratio::AspectRatio;
 
 mod program;
-pub use program::{MOST_PIXELS, draw_and_save};
+pub use program::{MAX_PIXELS, draw_and_save};

@@ -7,7 +7,7 @@ use std::path::Path;
 use std::{fs, process, time::Instant};
 
 /// The largest number of pixels that a picture may have, whatever its shape.
-pub const MOST_PIXELS: u64 = 8192 * 4608;
+pub const MAX_PIXELS: u64 = 8192 * 4608;
 
 /// Draws one picture of the course and saves it as a PNG file.
 // The text of `--help` is the line above and the comments of the fields. In
@@ -65,10 +65,10 @@ pub fn draw_and_save(name: &str, picture: fn(&Camera, u32) -> RgbImage) {
     let Options { width, aspect, fov, samples, output } = Options::parse();
     let file = output.unwrap_or_else(|| format!("{name}.png"));
     let height = aspect.v_res(width);
-    if u64::from(width) * u64::from(height) > MOST_PIXELS {
+    if u64::from(width) * u64::from(height) > MAX_PIXELS {
         let message = format!(
             "--width {width} with this --aspect makes {width}×{height} pixels, \
-             and a picture may have {MOST_PIXELS} in all"
+             and a picture may have {MAX_PIXELS} in all"
         );
         Options::command().error(ErrorKind::ValueValidation, message).exit();
     }

@@ -4,7 +4,7 @@ use crate::values::Values;
 use crate::{Files, figure_file};
 use anyhow::{Context, Result};
 use base64::prelude::{BASE64_STANDARD, Engine};
-use course::{MODULES, Step, encode_png};
+use course::{Step, WASM_MODULES, encode_png};
 use image::ImageReader;
 use std::collections::BTreeMap;
 use std::fs;
@@ -50,7 +50,7 @@ impl Sources {
                 files.insert(format!("mistake-{name}.png"), encode_png(&picture));
             }
         }
-        for name in MODULES {
+        for name in WASM_MODULES {
             let module = fs::read(workspace.join(format!("book/crates/page/{name}.wasm")))
                 .with_context(|| format!("the module {name}.wasm can't be read"))?;
             insert_bytes_as_script(files, &format!("{name}-module"), &module);

@@ -10,7 +10,7 @@
 //! All numbers of a figure are computed together and cached, since chapters use several of them.
 
 use crate::fault::{ChapterError, ChapterResult};
-use course::{camera, largest_channel_difference, primary_rays, ungated_colour};
+use course::{camera, colour_without_gate, largest_channel_difference, primary_rays};
 use figures::{Figure, Readouts, discriminant, format_count};
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
@@ -130,7 +130,7 @@ fn hit_indices(ray: &Ray) -> impl Iterator<Item = usize> {
 /// out the pixels that don't.
 fn ungated_pixel_differences() -> Vec<usize> {
     let scene = scene();
-    let ungated = render(&camera(), 1, |ray| ungated_colour(&scene, ray));
+    let ungated = render(&camera(), 1, |ray| colour_without_gate(&scene, ray));
     let picture = picture(&camera(), 1);
     let pairs = picture.pixels().zip(ungated.pixels());
     let changes = pairs.map(|(a, b)| usize::from(largest_channel_difference(a, b)));

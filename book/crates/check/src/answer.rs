@@ -1,6 +1,6 @@
 //! The answer about a picture: a verdict, a headline, details and causes.
 
-use course::{Mistake, Step, draw_panels, json};
+use course::{Mistake, Step, draw_side_by_side, json};
 use image::RgbImage;
 use std::fmt::{self, Display, Formatter};
 
@@ -176,7 +176,7 @@ impl Answer {
     /// [`Self::compared`] is None.
     pub fn draw_difference(&self) -> Option<RgbImage> {
         let ComparedPictures { yours, ours } = self.compared.as_ref()?;
-        Some(draw_panels(yours, ours))
+        Some(draw_side_by_side(yours, ours))
     }
 
     /// Formats the answer as JSON, leaving out notes and causes if there are none.

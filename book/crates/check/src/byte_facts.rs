@@ -8,10 +8,10 @@ use std::collections::BTreeSet;
 use std::iter::zip;
 
 /// The number of byte values that must have changed for a sentence to name a file.
-const CURVE_VALUES: usize = 16;
+const MIN_CHANGED_VALUES: usize = 16;
 
 /// The maximum number of bytes listed in one sentence.
-const MOST_BYTES: usize = 3;
+const MAX_BYTES: usize = 3;
 
 /// Pixels are tested for a curve in two rounds: first this many, then all of them.
 const FIRST_PIXELS: usize = 500;
@@ -65,12 +65,12 @@ pub(crate) fn byte_map_sentence(comparison: &Comparison, scene: &StepScene) -> O
     let pairs = zip(0..=u8::MAX, yours_of_ours);
     let pairs = pairs.filter_map(|(ours, yours)| Some((ours, yours?)));
     let changed: Vec<_> = pairs.filter(|(ours, yours)| ours != yours).collect();
-    if changed.len() < CURVE_VALUES && is_sky_or_objects_alone(comparison, scene) {
+    if changed.len() < MIN_CHANGED_VALUES && is_sky_or_objects_alone(comparison, scene) {
         return None;
     }
-    let file = curve_file(changed.len(), scene);
+    let file = sentence_on_files_to_compare(changed.len(), scene);
     let words = changed.iter().map(|(ours, yours)| format!("{ours} becomes {yours}"));
-    let words = join_first(words.collect(), MOST_BYTES, ", ");
+    let words = join_first(words.collect(), MAX_BYTES, ", ");
     Some(format!("Each byte depends only on ours: {words}.{file}"))
 }
 
@@ -81,11 +81,11 @@ fn is_sky_or_objects_alone(comparison: &Comparison, scene: &StepScene) -> bool {
     scene.step > Step::Rays && [0, comparison.wrong.len()].contains(&wrong_sky)
 }
 
-/// Returns a sentence that names the files to compare. It is empty if fewer than `CURVE_VALUES`
+/// Returns a sentence that names the files to compare. It is empty if fewer than `MIN_CHANGED_VALUES`
 /// values of a byte have changed. It is also empty in steps 1 and 2, since a wrong
 /// `direction_colour` looks the same there as a wrong conversion to bytes.
-fn curve_file(value_count: usize, scene: &StepScene) -> &'static str {
-    let is_known = value_count >= CURVE_VALUES && scene.step > Step::Sphere;
+fn sentence_on_files_to_compare(value_count: usize, scene: &StepScene) -> &'static str {
+    let is_known = value_count >= MIN_CHANGED_VALUES && scene.step > Step::Sphere;
     if is_known { " Compare rgb8.rs and the mean in render.rs of step 1." } else { "" }
 }
 
@@ -104,7 +104,7 @@ pub(crate) fn byte_curve_sentence(comparison: &Comparison, scene: &StepScene) ->
     let mut clauses = clauses.to_vec();
     clauses.dedup();
     let values: BTreeSet<_> = curve.iter().map(|(_, yours, _)| yours).collect();
-    let file = curve_file(values.len(), scene);
+    let file = sentence_on_files_to_compare(values.len(), scene);
     Some(format!("Each byte depends only on our intensity: {}.{file}", clauses.join(", ")))
 }
 

@@ -30,7 +30,8 @@ pub(crate) fn find_cameras(
         let ray = |pixel: &Pixel| camera.ray(pixel.position.0.into(), pixel.position.1.into());
         budget.holds_for_all(&mut pixels, 1, |pixel| scene.bytes(&ray(pixel)) == pixel.yours)
     };
-    let written = written_cameras().into_iter().filter(|(camera, _)| gives_picture(camera));
+    let written =
+        cameras_with_wrong_formulas().into_iter().filter(|(camera, _)| gives_picture(camera));
     let mut words: Vec<_> = written.map(|(_, words)| words).collect();
     if words.is_empty() {
         words.extend(MatrixNumber::all().filter_map(|number| {
@@ -71,7 +72,7 @@ impl MatrixNumber {
 
 /// Returns cameras in which somebody may have written a different formula for one number, or for
 /// the height of the view. Each comes with a description of the formula.
-fn written_cameras() -> Vec<(Camera, String)> {
+fn cameras_with_wrong_formulas() -> Vec<(Camera, String)> {
     let ours = camera();
     let tan = -ours.matrix.z_axis.x;
     let (h_res, v_res) = (f64::from(ours.h_res), f64::from(ours.v_res));
@@ -269,7 +270,7 @@ mod tests {
     #[test]
     fn written_cameras_have_the_numbers_of_their_formulas() {
         let ours = camera().matrix;
-        let lines = written_cameras().into_iter().map(|(camera, words)| {
+        let lines = cameras_with_wrong_formulas().into_iter().map(|(camera, words)| {
             let numbers = MatrixNumber::all().filter_map(|number| {
                 let value = camera.matrix.col(number.column)[number.row];
                 (value != number.ours()).then(|| format!("{value:.9}"))

@@ -3,7 +3,7 @@
 use crate::comparison::{Budget, Comparison};
 use crate::number_format::{format_as_typed, with_minus};
 use crate::step_scene::StepScene;
-use course::{OwnScene, Owner, QUANTITIES, Quantity, Typed};
+use course::{OwnScene, Owner, QUANTITIES, Quantity, TypedRange};
 
 /// Describes each change to a single number in the scene that reproduces the reader's picture
 /// exactly.
@@ -17,7 +17,7 @@ pub(crate) fn find_changed_numbers(
     let mut changed = StepScene { own, ..*scene };
     let mut words = vec![];
     for quantity in QUANTITIES {
-        let Some(typed) = quantity.typed.filter(|typed| typed.since <= scene.step) else {
+        let Some(typed) = quantity.typed.filter(|typed| typed.first_step <= scene.step) else {
             continue;
         };
         for (k, owner) in owner_names(scene, quantity.owner).into_iter().enumerate() {
@@ -53,7 +53,7 @@ pub(crate) fn owner_names(scene: &StepScene, owner: Owner) -> Vec<String> {
 
 /// Returns all numbers in the range that somebody may have typed, in ascending order.
 fn typed_numbers(
-    Typed { range: [start, end], steps_per_unit, .. }: Typed,
+    TypedRange { range: [start, end], steps_per_unit, .. }: TypedRange,
 ) -> impl Iterator<Item = f64> {
     let numerators = start * steps_per_unit..=end * steps_per_unit;
     numerators.map(move |numerator| f64::from(numerator) / f64::from(steps_per_unit))
@@ -72,7 +72,7 @@ mod tests {
 
     #[test]
     fn numbers_that_may_be_typed_are_in_range() {
-        let typed = Typed { since: course::Step::Rays, range: [0, 1], steps_per_unit: 2 };
+        let typed = TypedRange { first_step: course::Step::Rays, range: [0, 1], steps_per_unit: 2 };
         assert_eq!(typed_numbers(typed).collect::<Vec<_>>(), [0.0, 0.5, 1.0]);
     }
 

@@ -49,7 +49,7 @@ pub fn check_png<E: Into<Box<dyn error::Error + Send + Sync>>>(
     let yours = decode(png, file_name)?;
     let name = expected_name
         .or_else(|| find_name_in_file_name(file_name, names_of_right_pictures().into_iter()))
-        .or_else(|| yours.find_equal())
+        .or_else(|| yours.find_equal_locked_picture())
         .or_else(|| yours.find_mistakes().first().map(|(_, name)| *name))
         .ok_or(CheckError::UnknownName)?;
     let ours = right_picture(name).map_err(|error| CheckError::NoRightPicture(error.into()))?;

@@ -16,7 +16,7 @@ pub(crate) struct Comparison<'a> {
     pub wrong: Vec<Pixel>,
     pub right: Vec<Pixel>,
     /// The wrong pixel with the largest difference.
-    pub farthest: Pixel,
+    pub most_different: Pixel,
 }
 
 /// One pixel in both pictures.
@@ -57,8 +57,8 @@ impl<'a> Comparison<'a> {
         };
         let pixels = scattered_positions((columns, rows)).map(pixel);
         let (right, wrong): (Vec<_>, Vec<_>) = pixels.partition(|pixel| pixel.yours == pixel.ours);
-        let farthest = *wrong.iter().max_by_key(|pixel| pixel.largest_difference())?;
-        Some(Self { target, wrong, right, farthest })
+        let most_different = *wrong.iter().max_by_key(|pixel| pixel.largest_difference())?;
+        Some(Self { target, wrong, right, most_different })
     }
 
     /// All pixels, wrong ones first. A proposed cause that doesn't explain the picture usually
@@ -171,8 +171,8 @@ mod tests {
         yours[(3, 0)] = Rgb([9, 9, 19]);
         let comparison = Comparison::new(&target, &yours).expect("a different picture");
         assert_eq!((comparison.wrong.len(), comparison.right.len()), (2, 10));
-        assert_eq!(comparison.farthest.position, (3, 0));
-        assert_eq!(comparison.farthest.largest_difference(), 10);
+        assert_eq!(comparison.most_different.position, (3, 0));
+        assert_eq!(comparison.most_different.largest_difference(), 10);
         let first_two = comparison.pixels().take(2);
         assert!(first_two.into_iter().all(|pixel| pixel.yours != pixel.ours));
         assert_eq!(comparison.pixels().count(), 12);

@@ -9,15 +9,15 @@ use crate::facts::find_facts;
 use crate::other_options::{Options, find_options};
 use crate::reader_picture::ReaderPicture;
 use crate::target::Target;
-use crate::transformed::{describe_whole, uniform_colour};
+use crate::transformed::{describe_transformed_or_uniform, uniform_colour};
 use crate::wrong_pixel::describe_wrong_pixel;
 use course::{Mistake, Step};
 
 /// The maximum number of causes that an answer names.
-const MOST_CAUSES: usize = 3;
+const MAX_CAUSES: usize = 3;
 
 /// The maximum number of lines in a diff that an answer shows.
-const MOST_DIFF_LINES: usize = 4;
+const MAX_DIFF_LINES: usize = 4;
 
 /// The file that reads the options. A mistake there, such as a wrong default, has the same effect
 /// as other options, so it doesn't cast doubt on them.
@@ -30,7 +30,7 @@ const EXERCISE_NOTE: &str =
 const TESTS: &str = "cargo test --no-fail-fast --test by_hand";
 
 /// The number of rays that may be computed to try out changes.
-const RAYS: u32 = 4_000_000;
+const MAX_RAYS: u32 = 4_000_000;
 
 /// What there is to say about the pixels of a picture, whatever its file is like.
 pub(crate) struct Explanation {
@@ -67,13 +67,13 @@ pub(crate) fn explain(yours: &ReaderPicture, target: &Target) -> Explanation {
         return explain_options(options, title, mistakes);
     }
     let comparison = Comparison::new(target, &yours.rgb);
-    let whole = match yours.find_equal() {
+    let whole = match yours.find_equal_locked_picture() {
         Some(name) => Some(format!("This is the picture of {name}, not {title}.")),
-        None => describe_whole(&yours.rgb, &target.picture, title),
+        None => describe_transformed_or_uniform(&yours.rgb, &target.picture, title),
     };
     let mut causes: Vec<_> = mistakes.into_iter().map(Cause::Mistake).collect();
     if whole.is_none() {
-        causes.extend(comparison.iter().flat_map(find_changes));
+        causes.extend(comparison.iter().flat_map(find_unlisted_causes));
     }
     let is_explained = whole.is_some() || !causes.is_empty();
     let says_size =
@@ -120,9 +120,9 @@ fn explain_options(
 /// Tries out different numbers in the scene and different cameras, and returns those that reproduce
 /// the whole picture. If the budget runs out, returns none, since the untried ones might reproduce
 /// it, too.
-fn find_changes(comparison: &Comparison) -> Vec<Cause> {
+fn find_unlisted_causes(comparison: &Comparison) -> Vec<Cause> {
     let Some(scene) = &comparison.target.scene else { return vec![] };
-    let budget = Budget::new(RAYS);
+    let budget = Budget::new(MAX_RAYS);
     let numbers = find_changed_numbers(comparison, scene, &budget).into_iter();
     let cameras = find_cameras(comparison, scene, &budget).into_iter();
     let causes = numbers.map(Cause::SceneNumber).chain(cameras.map(Cause::Camera)).collect();
@@ -143,8 +143,8 @@ fn describe_causes(causes: &[Cause], options: Option<&Options>) -> Vec<String> {
         (false, _) => "Each of these changes gives",
     };
     let words = causes.iter().map(Cause::to_string).collect();
-    let mut words = join_first(words, MOST_CAUSES, "; ");
-    let (named, more) = causes.split_at(causes.len().min(MOST_CAUSES));
+    let mut words = join_first(words, MAX_CAUSES, "; ");
+    let (named, more) = causes.split_at(causes.len().min(MAX_CAUSES));
     let mut files: Vec<_> = more.iter().filter_map(Cause::file).collect();
     files.sort_unstable();
     files.dedup();
@@ -166,7 +166,7 @@ fn describe_causes(causes: &[Cause], options: Option<&Options>) -> Vec<String> {
 fn describe_mistake(mistake: &Mistake) -> Vec<String> {
     let diff = mistake.old_and_new_lines();
     let mut lines: Vec<_> = diff.lines().map(|line| format!("  {line}")).collect();
-    if lines.len() > MOST_DIFF_LINES {
+    if lines.len() > MAX_DIFF_LINES {
         lines.clear();
     }
     if let Some(shown) = &mistake.shown {
@@ -180,18 +180,18 @@ fn describe_mistake(mistake: &Mistake) -> Vec<String> {
 /// wrong pixels, the `by_hand` tests to run, and one pixel. The tests are those of every step that
 /// takes part in drawing the picture, since any of these steps may be wrong.
 fn describe_comparison(comparison: &Comparison, facts: Vec<String>) -> Vec<String> {
-    let Comparison { target, wrong, right, farthest } = comparison;
+    let Comparison { target, wrong, right, most_different } = comparison;
     let count = format!(
         "{} of {} pixels {} from {}, by up to {} of 255.",
         wrong.len(),
         wrong.len() + right.len(),
         if wrong.len() == 1 { "differs" } else { "differ" },
         target.title,
-        farthest.largest_difference()
+        most_different.largest_difference()
     );
     // If no pixel is off by more than 1, that says more than any fact.
     let (before, after) =
-        if farthest.largest_difference() == 1 { (vec![], facts) } else { (facts, vec![]) };
+        if most_different.largest_difference() == 1 { (vec![], facts) } else { (facts, vec![]) };
     let mut lines = [before, vec![count], after].concat();
     if let Some(scene) = &target.scene {
         // Step 1 is never ruled out: even if the sky is right, the camera may be slightly off, or

@@ -11,12 +11,12 @@ use course::Step;
 use std::collections::BTreeSet;
 use step01_rays::rgb8;
 
-const MOST_FACTS: usize = 3;
+const MAX_FACTS: usize = 3;
 
 /// A sentence about every wrong pixel needs at least this many wrong pixels, with at least this
 /// many different colours in our picture. With fewer, too many sentences are true by chance.
-const LEAST_PIXELS: usize = 16;
-const LEAST_COLOURS: usize = 4;
+const MIN_PIXELS: usize = 16;
+const MIN_COLOURS: usize = 4;
 
 /// Returns sentences that are true of the wrong pixels, strongest first. The last one says where
 /// these pixels are, unless we have no scene.
@@ -36,7 +36,7 @@ pub(crate) fn find_facts(comparison: &Comparison) -> Vec<String> {
         facts.extend(curve);
         facts.extend(regions.as_deref().and_then(hidden_sentence));
         if let Some(scene) = varied {
-            if are_above_1(&comparison.wrong, scene) {
+            if exceed_byte_range(&comparison.wrong, scene) {
                 facts.push("Each wrong pixel has an intensity above 1 in ours.".to_owned());
             }
             facts.extend(missing_light_sentence(&comparison.wrong, scene));
@@ -45,7 +45,7 @@ pub(crate) fn find_facts(comparison: &Comparison) -> Vec<String> {
             facts.extend(one_colour_sentence(&comparison.wrong));
             facts.extend(byte_sentences(comparison));
         }
-        facts.truncate(MOST_FACTS);
+        facts.truncate(MAX_FACTS);
     }
     facts.extend(regions.map(region_sentence));
     facts
@@ -54,11 +54,11 @@ pub(crate) fn find_facts(comparison: &Comparison) -> Vec<String> {
 /// Whether there are enough wrong pixels, with enough different colours in our picture.
 fn is_varied(wrong: &[Pixel]) -> bool {
     let colours: BTreeSet<_> = wrong.iter().map(|pixel| pixel.ours).collect();
-    wrong.len() >= LEAST_PIXELS && colours.len() >= LEAST_COLOURS
+    wrong.len() >= MIN_PIXELS && colours.len() >= MIN_COLOURS
 }
 
 /// Whether each pixel has an intensity in our picture that is too large for a byte.
-fn are_above_1(pixels: &[Pixel], scene: &StepScene) -> bool {
+fn exceed_byte_range(pixels: &[Pixel], scene: &StepScene) -> bool {
     pixels.iter().all(|pixel| scene.colour(&pixel.ray).max_element() > 1.0)
 }
 

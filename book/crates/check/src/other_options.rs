@@ -14,7 +14,7 @@ const DEFAULT_SIZE: (u32, u32) = (PICTURE_COLUMNS, PICTURE_ROWS);
 
 /// The maximum number of rays for comparing a picture with one choice of options. All choices
 /// together may take twice as many.
-const RAYS: u32 = 1 << 23;
+const MAX_RAYS: u32 = 1 << 23;
 
 /// The maximum number of rays for ruling out choices of options.
 const PROBE_RAYS: u32 = 6_000_000;
@@ -37,7 +37,7 @@ const BYTES_PER_OBJECT_BYTE: i32 = 20;
 
 /// Angles with four decimals are tried only if the bounds on the angle are less than this far
 /// apart.
-const MOST_DEGREES_FOR_FOUR_DECIMALS: f64 = 1.0;
+const MAX_DEGREES_FOR_FOUR_DECIMALS: f64 = 1.0;
 
 /// Options with which a right program draws the reader's picture.
 pub(crate) struct Options {
@@ -123,7 +123,7 @@ pub(crate) fn find_options(scene: &StepScene, yours: &RgbImage) -> Option<Option
         return None;
     }
     let all_offsets: Vec<_> = (1..=16).map(sub_pixel_offsets).collect();
-    let (probe_budget, budget) = (Budget::new(PROBE_RAYS), Budget::new(2 * RAYS));
+    let (probe_budget, budget) = (Budget::new(PROBE_RAYS), Budget::new(2 * MAX_RAYS));
     let mut border_probes: Vec<_> = border_positions(size).take(PROBES).collect();
     let mut probes: Vec<_> = scattered_positions(size).take(PROBES).collect();
     for fov_degrees in plain_angles().chain(fine_angles(yours)) {
@@ -142,7 +142,7 @@ pub(crate) fn find_options(scene: &StepScene, yours: &RgbImage) -> Option<Option
             if !probe_budget.holds_for_all(&mut probes, rays, is_equal) {
                 continue;
             }
-            let compared = yours.pixels().len().min((RAYS / rays) as usize);
+            let compared = yours.pixels().len().min((MAX_RAYS / rays) as usize);
             let mut positions = scattered_positions(size).take(compared);
             if positions.all(|position| budget.spend(rays) && is_equal(&position)) {
                 let is_one_colour = uniform_colour(yours).is_some();
@@ -184,7 +184,7 @@ fn fine_angles(yours: &RgbImage) -> impl Iterator<Item = f64> {
     }
     let (least, most) = find_common_bounds(&intervals);
     let [least, most] = [least, most].map(|tan| 2.0 * tan.atan().to_degrees());
-    let is_narrow = most - least < MOST_DEGREES_FOR_FOUR_DECIMALS;
+    let is_narrow = most - least < MAX_DEGREES_FOR_FOUR_DECIMALS;
     let scales = if is_narrow { &[1e2, 1e3, 1e4][..] } else { &[1e2, 1e3] };
     scales.iter().flat_map(move |scale| {
         let numbers = (least * scale).ceil() as u32..=(most * scale).floor() as u32;

@@ -3,7 +3,7 @@
 use image::RgbImage;
 use png::{BitDepth, ColorType, Decoder, DecodingError, Info, Limits, Transformations};
 use std::io::{Cursor, ErrorKind};
-use step01_rays::MOST_PIXELS;
+use step01_rays::MAX_PIXELS;
 use thiserror::Error;
 
 /// The signature at the start of each PNG file.
@@ -65,11 +65,11 @@ const BMP_HEADERS: [u8; 7] = [12, 40, 52, 56, 64, 108, 124];
 
 /// The maximum size of a file in bytes. It is also the maximum amount of memory that the decoder
 /// may allocate for itself, for instance to unpack a chunk.
-pub(crate) const FILE_BYTES: u64 = 1 << 26;
+pub(crate) const MAX_FILE_BYTES: u64 = 1 << 26;
 
 /// The maximum size of the decoded pixels in bytes: enough for the largest picture with alpha and 8
 /// bits per channel.
-const MOST_BYTES: u64 = 4 * MOST_PIXELS;
+const MAX_BYTES: u64 = 4 * MAX_PIXELS;
 
 /// The contents of a PNG file.
 pub(crate) struct DecodedPng {
@@ -88,7 +88,7 @@ pub enum PngError {
     #[error("is {0}")]
     OtherFormat(&'static str),
     /// The file is larger than the limit.
-    #[error("is too large: the limit is {} MB", FILE_BYTES >> 20)]
+    #[error("is too large: the limit is {} MB", MAX_FILE_BYTES >> 20)]
     TooManyBytes,
     /// The picture has more pixels than the course's programs would draw.
     #[error(
@@ -104,7 +104,7 @@ pub enum PngError {
     /// The pixels would take too much memory.
     #[error(
         "is too large: with 16 bits per channel, {columns}×{rows} pixels take up more than {} MB",
-        MOST_BYTES >> 20
+        MAX_BYTES >> 20
     )]
     TooMuchMemory {
         /// The number of columns in the picture.
@@ -122,13 +122,13 @@ pub enum PngError {
 
 /// Reads the picture in a PNG file. The size is checked before anything is unpacked.
 pub(crate) fn read_png(file: &[u8]) -> Result<DecodedPng, PngError> {
-    if file.len() as u64 > FILE_BYTES {
+    if file.len() as u64 > MAX_FILE_BYTES {
         return Err(PngError::TooManyBytes);
     }
     if let Some(format) = find_other_format(file) {
         return Err(PngError::OtherFormat(format));
     }
-    let limits = Limits { bytes: FILE_BYTES as usize };
+    let limits = Limits { bytes: MAX_FILE_BYTES as usize };
     let mut decoder = Decoder::new_with_limits(Cursor::new(file), limits);
     // Expands palettes to colours, transparent colours to alpha, and samples of fewer than 8 bits
     // to 8.
@@ -136,15 +136,15 @@ pub(crate) fn read_png(file: &[u8]) -> Result<DecodedPng, PngError> {
     decoder.set_ignore_text_chunk(true);
     let mut reader = decoder.read_info().map_err(PngError::Damaged)?;
     let (columns, rows) = reader.info().size();
-    if u64::from(columns) * u64::from(rows) > MOST_PIXELS {
+    if u64::from(columns) * u64::from(rows) > MAX_PIXELS {
         return Err(PngError::TooManyPixels { columns, rows });
     }
     // None means that the size doesn't fit in a usize.
     let byte_count = reader.output_buffer_size().unwrap_or(usize::MAX);
-    if byte_count as u64 > MOST_BYTES {
+    if byte_count as u64 > MAX_BYTES {
         return Err(PngError::TooMuchMemory { columns, rows });
     }
-    let mut notes = describe_kind(reader.info());
+    let mut notes = describe_unusual_features(reader.info());
     let mut bytes = vec![0; byte_count];
     reader.next_frame(&mut bytes).map_err(PngError::Damaged)?;
     let (colour_type, depth) = reader.output_color_type();
@@ -163,7 +163,7 @@ pub(crate) fn read_png(file: &[u8]) -> Result<DecodedPng, PngError> {
 }
 
 /// Describes features of a PNG file that the course's programs don't use, in a sentence each.
-fn describe_kind(info: &Info) -> Vec<String> {
+fn describe_unusual_features(info: &Info) -> Vec<String> {
     let mut notes = vec![];
     if info.color_type == ColorType::Indexed {
         let most_colours = 1_u32 << info.bit_depth as u8;
@@ -323,7 +323,7 @@ mod tests {
 
     #[test]
     fn file_with_too_many_bytes_is_not_looked_at() {
-        let mut file = vec![b' '; FILE_BYTES as usize];
+        let mut file = vec![b' '; MAX_FILE_BYTES as usize];
         assert!(matches!(read_png(&file), Err(PngError::OtherFormat(_))));
         file.push(b' ');
         assert!(matches!(read_png(&file), Err(PngError::TooManyBytes)));

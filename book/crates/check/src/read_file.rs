@@ -1,7 +1,7 @@
 //! Reads files up to a maximum size, and only regular files.
 
-use crate::png_file::FILE_BYTES;
-use course::is_obeyed_by_terminals;
+use crate::png_file::MAX_FILE_BYTES;
+use course::is_terminal_control;
 use std::fs::{self, File};
 use std::io::{self, ErrorKind, Read};
 use std::path::Path;
@@ -23,7 +23,7 @@ pub enum ReadFileError {
         path: String,
     },
     /// The file is larger than the limit.
-    #[error("{path} is too large: the limit is {} MB", FILE_BYTES >> 20)]
+    #[error("{path} is too large: the limit is {} MB", MAX_FILE_BYTES >> 20)]
     TooLarge {
         /// The path of the file.
         path: String,
@@ -41,7 +41,7 @@ pub enum ReadFileError {
 /// Reads a file, unless it is larger than the limit. A folder, a device or a pipe is never opened.
 pub fn read_bounded_file(file: &Path) -> Result<Vec<u8>, ReadFileError> {
     let path = escape_for_terminal(&file.display().to_string());
-    match read_at_most(file, FILE_BYTES) {
+    match read_at_most(file, MAX_FILE_BYTES) {
         Ok(FileContents::Bytes(bytes)) => Ok(bytes),
         Ok(FileContents::NotAFile) => Err(ReadFileError::NotAFile { path }),
         Ok(FileContents::TooLarge) => Err(ReadFileError::TooLarge { path }),
@@ -70,7 +70,7 @@ fn read_at_most(path: &Path, most_bytes: u64) -> io::Result<FileContents> {
 
 /// Escapes the characters in a text that a terminal obeys, or that change the direction of writing.
 pub fn escape_for_terminal(text: &str) -> String {
-    let escape = |c: char| match is_obeyed_by_terminals(c) {
+    let escape = |c: char| match is_terminal_control(c) {
         true => c.escape_default().to_string(),
         false => c.to_string(),
     };

@@ -7,7 +7,7 @@ use std::cell::OnceCell;
 
 /// The maximum number of pixels in a picture that is hashed. A larger one can't be in the table,
 /// whose pictures are drawn with the default options.
-const MOST_HASHED_PIXELS: usize = 1 << 20;
+const MAX_HASHED_PIXELS: usize = 1 << 20;
 
 /// A reader's picture, which is hashed at most once.
 pub(crate) struct ReaderPicture {
@@ -27,13 +27,13 @@ impl ReaderPicture {
     /// Returns the hash of the picture, or None if the picture is too large to be in the table.
     fn hash(&self) -> Option<u64> {
         *self.hash.get_or_init(|| {
-            let is_small = self.rgb.pixels().len() <= MOST_HASHED_PIXELS;
+            let is_small = self.rgb.pixels().len() <= MAX_HASHED_PIXELS;
             is_small.then(|| hash_picture(&self.rgb))
         })
     }
 
     /// Finds the locked picture that equals this one, and returns its name.
-    pub fn find_equal(&self) -> Option<&'static str> {
+    pub fn find_equal_locked_picture(&self) -> Option<&'static str> {
         let hash = self.hash()?;
         hashes_of_right_pictures().find(|(_, locked)| *locked == hash).map(|(name, _)| name)
     }

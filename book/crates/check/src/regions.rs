@@ -6,7 +6,7 @@ use crate::step_scene::StepScene;
 use std::cmp::Reverse;
 use step01_rays::{direction_colour, rgb8};
 
-const MOST_REGIONS: usize = 3;
+const MAX_REGIONS: usize = 3;
 
 /// The name of the region without objects.
 const SKY: &str = "the sky";
@@ -18,14 +18,15 @@ pub(crate) struct Region {
     wrong: usize,
     /// The number of wrong pixels that have the colour of something else on the same ray: the sky,
     /// or an object behind this one.
-    hidden: usize,
+    showing_what_is_behind: usize,
 }
 
 /// Returns a region for the sky, followed by one for each object, with their pixels counted. What
 /// isn't visible in our picture is left out.
 pub(crate) fn count_regions(comparison: &Comparison, scene: &StepScene) -> Vec<Region> {
     let names = [vec![SKY.to_owned()], scene.object_names()].concat();
-    let regions = names.into_iter().map(|name| Region { name, all: 0, wrong: 0, hidden: 0 });
+    let regions =
+        names.into_iter().map(|name| Region { name, all: 0, wrong: 0, showing_what_is_behind: 0 });
     let mut regions: Vec<_> = regions.collect();
     let is_hidden = |Pixel { ray, yours, .. }: &Pixel| {
         let colours = scene.object_hits(ray).map(|hit| scene.colour_at_hit(ray, hit));
@@ -35,7 +36,7 @@ pub(crate) fn count_regions(comparison: &Comparison, scene: &StepScene) -> Vec<R
     comparison.pixels().for_each(|pixel| regions[number(pixel)].all += 1);
     for pixel in &comparison.wrong {
         regions[number(pixel)].wrong += 1;
-        regions[number(pixel)].hidden += usize::from(is_hidden(pixel));
+        regions[number(pixel)].showing_what_is_behind += usize::from(is_hidden(pixel));
     }
     regions.retain(|region| region.all > 0);
     regions
@@ -45,9 +46,9 @@ pub(crate) fn count_regions(comparison: &Comparison, scene: &StepScene) -> Vec<R
 /// that are missing from your picture. Returns None if no object is missing and only a few pixels
 /// show what should be hidden.
 pub(crate) fn hidden_sentence(regions: &[Region]) -> Option<String> {
-    let hidden: usize = regions.iter().map(|region| region.hidden).sum();
+    let hidden: usize = regions.iter().map(|region| region.showing_what_is_behind).sum();
     let wrong: usize = regions.iter().map(|region| region.wrong).sum();
-    let nowhere = regions.iter().filter(|region| region.hidden == region.all);
+    let nowhere = regions.iter().filter(|region| region.showing_what_is_behind == region.all);
     let nowhere: Vec<_> = nowhere.map(|region| &*region.name).collect();
     // A few pixels may have such a colour by chance.
     if nowhere.is_empty() && 10 * hidden < wrong {
@@ -70,7 +71,7 @@ pub(crate) fn region_sentence(mut regions: Vec<Region>) -> String {
     let counts = wrong
         .iter()
         .map(|Region { name, all, wrong, .. }| format!("{wrong} of {all} pixels of {name}"));
-    let wrong_parts = join_first(counts.collect(), MOST_REGIONS, "; ");
+    let wrong_parts = join_first(counts.collect(), MAX_REGIONS, "; ");
     match right.iter().map(|region| &*region.name).collect::<Vec<_>>()[..] {
         [] => format!("It differs from ours in {wrong_parts}."),
         [_, ..] if wrong.len() == 1 && wrong[0].name == SKY => {
@@ -91,7 +92,7 @@ mod tests {
     use super::*;
 
     fn region(name: &str, all: usize, wrong: usize, hidden: usize) -> Region {
-        Region { name: name.to_owned(), all, wrong, hidden }
+        Region { name: name.to_owned(), all, wrong, showing_what_is_behind: hidden }
     }
 
     #[test]

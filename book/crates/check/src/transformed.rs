@@ -6,8 +6,8 @@ use image::RgbImage;
 
 /// The maximum number of pixels that are compared to locate a part of our picture, and the minimum
 /// number of pixels in such a part.
-const PIXELS: u32 = 1 << 26;
-const LEAST_PIXELS: usize = 100;
+const MAX_COMPARED_PIXELS: u32 = 1 << 26;
+const MIN_PIXELS: usize = 100;
 
 /// Maps the position of a pixel in our picture to its position in the turned picture. The second
 /// argument is the last column and row of ours.
@@ -22,7 +22,7 @@ const TURNS: [(&str, Turn); 6] = [
     ("turned by 90° to the left", |(i, j), (column, _)| (j, column - i)),
 ];
 
-const ORDERS: [(&str, [usize; 3]); 4] = [
+const CHANNEL_ORDERS: [(&str, [usize; 3]); 4] = [
     ("", [0, 1, 2]),
     ("with red and blue exchanged", [2, 1, 0]),
     ("with red and green exchanged", [1, 0, 2]),
@@ -32,7 +32,11 @@ const ORDERS: [(&str, [usize; 3]); 4] = [
 /// Describes a picture that is one colour, or that is ours turned, cropped, enlarged or with its
 /// channels swapped. Returns None for any other picture. `title` is the phrase for our picture,
 /// such as `the picture of glass`.
-pub(crate) fn describe_whole(picture: &RgbImage, ours: &RgbImage, title: &str) -> Option<String> {
+pub(crate) fn describe_transformed_or_uniform(
+    picture: &RgbImage,
+    ours: &RgbImage,
+    title: &str,
+) -> Option<String> {
     if let Some([r, g, b]) = uniform_colour(picture) {
         return Some(format!("Your picture is one colour, ({r}, {g}, {b}), in all pixels."));
     }
@@ -62,7 +66,7 @@ fn turned_or_swapped_clauses(yours: &RgbImage, ours: &RgbImage) -> Vec<String> {
     let (columns, rows) = ours.dimensions();
     let clauses = TURNS.iter().filter_map(|(turned, turn)| {
         // Several orders may fit: a grey picture looks the same in all of them.
-        let (swapped, _) = ORDERS.iter().find(|(_, order)| {
+        let (swapped, _) = CHANNEL_ORDERS.iter().find(|(_, order)| {
             scattered_positions((columns, rows)).all(|position| {
                 let (i, j) = turn(position, (columns - 1, rows - 1));
                 let colour = order.map(|k| ours[position][k]);
@@ -93,11 +97,11 @@ fn cut_or_enlarged_clause(yours: &RgbImage, ours: &RgbImage) -> Option<String> {
 fn find_corner(part: &RgbImage, whole: &RgbImage) -> Option<(u32, u32)> {
     let (w, h) = part.dimensions();
     let (columns, rows) = (whole.width().checked_sub(w)?, whole.height().checked_sub(h)?);
-    if !(LEAST_PIXELS..whole.pixels().len()).contains(&part.pixels().len()) {
+    if !(MIN_PIXELS..whole.pixels().len()).contains(&part.pixels().len()) {
         return None;
     }
     let mut positions: Vec<_> = scattered_positions((w, h)).collect();
-    let budget = Budget::new(PIXELS);
+    let budget = Budget::new(MAX_COMPARED_PIXELS);
     let mut corners = (0..=rows).flat_map(|j| (0..=columns).map(move |i| (i, j)));
     corners.find(|(i, j)| {
         let is_there = |(k, l): &(u32, u32)| part[(*k, *l)] == whole[(i + k, j + l)];

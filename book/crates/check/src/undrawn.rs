@@ -5,10 +5,10 @@ use std::collections::BTreeSet;
 
 /// The minimum number of pixels that we call undrawn. A border has to leave at least as many pixels
 /// inside it.
-const LEAST_PIXELS: usize = 100;
+const MIN_PIXELS: usize = 100;
 
 /// The maximum number of rectangles that a sentence names.
-const MOST_RECTANGLES: usize = 4;
+const MAX_RECTANGLES: usize = 4;
 
 /// The largest period that counts as a pattern, whether of diagonals or of pixels in reading order.
 const LARGEST_PERIOD: u32 = 64;
@@ -78,7 +78,7 @@ enum Membership {
     /// It does: it is wrong and has the colour of the shape.
     Inside,
     /// It may: it has the colour of the shape, but is right.
-    Either,
+    Possible,
     /// It doesn't: it has a different colour.
     Outside,
 }
@@ -103,7 +103,7 @@ impl Mask {
     fn of_colour_if_common(comparison: &Comparison, colour: [u8; 3]) -> Option<Self> {
         let has_colour = |pixel: &&Pixel| pixel.yours == colour;
         let count = comparison.wrong.iter().filter(has_colour).count();
-        (count >= LEAST_PIXELS).then(|| Self::of_colour(comparison, colour))
+        (count >= MIN_PIXELS).then(|| Self::of_colour(comparison, colour))
     }
 
     fn of_colour(comparison: &Comparison, colour: [u8; 3]) -> Self {
@@ -116,7 +116,7 @@ impl Mask {
             }
         };
         set(&comparison.wrong, Membership::Inside);
-        set(&comparison.right, Membership::Either);
+        set(&comparison.right, Membership::Possible);
         Self { columns, rows, memberships }
     }
 
@@ -142,7 +142,7 @@ impl Mask {
     fn is_shape(&self, contains: impl Fn(u32, u32) -> bool) -> bool {
         self.pixels().all(|(i, j, membership)| match membership {
             Membership::Inside => contains(i, j),
-            Membership::Either => true,
+            Membership::Possible => true,
             Membership::Outside => !contains(i, j),
         })
     }
@@ -183,7 +183,7 @@ impl Mask {
         let bars: Vec<_> = sides.into_iter().filter(|(_, width)| *width > 0).collect();
         // A single bar isn't a border: it is the rectangle that a loop leaves undrawn if it ends
         // too soon. And a border must surround something.
-        if bars.len() < 2 || kept.len() < LEAST_PIXELS || !self.is_shape(is_border) {
+        if bars.len() < 2 || kept.len() < MIN_PIXELS || !self.is_shape(is_border) {
             return None;
         }
         let shape = if bars.len() == 4 { "a frame" } else { "bars" };
@@ -241,7 +241,7 @@ impl Mask {
         let mut words = vec![];
         while let Some(first) = rest.iter().position(|membership| *membership == Membership::Inside)
         {
-            if words.len() == MOST_RECTANGLES {
+            if words.len() == MAX_RECTANGLES {
                 return None;
             }
             let (left, top) = (first as u32 % self.columns, first as u32 / self.columns);
@@ -250,7 +250,7 @@ impl Mask {
             let is_row = |j: &u32| (left..=right).all(|i| is_inside(i, *j));
             let bottom = (top..self.rows).take_while(is_row).last()?;
             for j in top..=bottom {
-                rest[index(left, j)..=index(right, j)].fill(Membership::Either);
+                rest[index(left, j)..=index(right, j)].fill(Membership::Possible);
             }
             let [columns, rows] = [left..=right, top..=bottom].map(BTreeSet::from_iter);
             words.push(join_columns_and_rows(

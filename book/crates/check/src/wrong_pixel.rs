@@ -7,8 +7,10 @@ use course::Step;
 use step05_phong::{Ray, normal};
 
 /// Describes the wrong pixel that differs most: both colours, and what our program computes there.
-pub(crate) fn describe_wrong_pixel(Comparison { target, farthest, .. }: &Comparison) -> String {
-    let Pixel { position: (i, j), ray, hit, yours, ours } = farthest;
+pub(crate) fn describe_wrong_pixel(
+    Comparison { target, most_different, .. }: &Comparison,
+) -> String {
+    let Pixel { position: (i, j), ray, hit, yours, ours } = most_different;
     let computed = target.scene.as_ref().map(|scene| computed_values(scene, ray, *hit));
     let [a, b] = [yours, ours].map(|[r, g, b]| format!("({r}, {g}, {b})"));
     format!("Column {i}, row {j}: yours is {a}, ours {b}{}.", computed.unwrap_or_default())

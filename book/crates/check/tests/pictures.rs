@@ -5,7 +5,7 @@ use crate::{
     assert_locked, check, draw, draw_named_scene, encode, format_answer, locked_picture, map_locked,
 };
 use check::check_scene_png;
-use course::{Step, camera, ungated_colour};
+use course::{Step, camera, colour_without_gate};
 use glam::DVec3;
 use image::imageops::{crop_imm, flip_horizontal, flip_vertical, rotate90, rotate180, rotate270};
 use image::{Rgb, RgbImage};
@@ -210,7 +210,7 @@ fn answers_about_scenes_of_names_are_as_locked() {
     let rows = [
         ("right", "ada", draw_named_scene("ada")),
         ("different case", "Ada", draw_named_scene("ada")),
-        ("no gate", "ada", draw(|ray| ungated_colour(&ada, ray))),
+        ("no gate", "ada", draw(|ray| colour_without_gate(&ada, ray))),
         ("one number", "ada", draw(|ray| step05_phong::colour(&small_ball, ray))),
         ("the picture of step 5", "ada", locked_picture(PHONG)),
     ];

@@ -1,7 +1,7 @@
 //! A minimal JSON writer, which is all that replies to a page need. A full JSON library would make
 //! the pages' modules a sixth larger.
 
-use crate::is_obeyed_by_terminals;
+use crate::is_terminal_control;
 
 /// Quotes `text` as a JSON string, escaping every character that a terminal would act on.
 pub fn quote(text: &str) -> String {
@@ -9,7 +9,7 @@ pub fn quote(text: &str) -> String {
     for c in text.chars() {
         match c {
             '"' | '\\' => quoted.extend(['\\', c]),
-            c if is_obeyed_by_terminals(c) => quoted += &format!("\\u{:04x}", c as u32),
+            c if is_terminal_control(c) => quoted += &format!("\\u{:04x}", c as u32),
             c => quoted.push(c),
         }
     }

@@ -22,7 +22,7 @@
 mod steps;
 pub use steps::{
     DrawPicture, FOV_DEGREES, PICTURE_COLUMNS, PICTURE_ROWS, PICTURES, Step, camera,
-    camera_with_fov, camera_with_size, examples, find_picture, primary_rays, ungated_colour,
+    camera_with_fov, camera_with_size, colour_without_gate, examples, find_picture, primary_rays,
 };
 
 mod source_code;
@@ -42,20 +42,22 @@ pub use mistakes::{
 
 mod scenes;
 pub use scenes::{
-    Component, GROUND, OwnScene, Owner, QUANTITIES, Quantity, Scalar, Typed, named_scene,
+    Component, GROUND, OwnScene, Owner, QUANTITIES, Quantity, Scalar, TypedRange, named_scene,
 };
 
 mod pictures;
 pub use pictures::{
-    LockedPictureError, describe_difference, draw_panels, encode_png, hash_picture,
+    LockedPictureError, describe_difference, draw_side_by_side, encode_png, hash_picture,
     largest_channel_difference, locked_picture_path, read_locked_picture,
 };
 
 mod workspace;
-pub use workspace::{MODULES, cargo_command, environment, replace_file, target_folder, workspace};
+pub use workspace::{
+    WASM_MODULES, cargo_command, environment, replace_file, target_folder, workspace,
+};
 
 mod hash;
 pub mod json;
 mod terminal;
 pub use hash::fnv_1a;
-pub use terminal::is_obeyed_by_terminals;
+pub use terminal::is_terminal_control;

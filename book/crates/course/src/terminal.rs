@@ -2,7 +2,7 @@
 
 /// Whether a terminal would act on `c` instead of showing it. This includes the characters that
 /// change the direction of text.
-pub fn is_obeyed_by_terminals(c: char) -> bool {
+pub fn is_terminal_control(c: char) -> bool {
     let changes_direction = matches!(
         c,
         '\u{61c}' | '\u{200e}'..='\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}'
@@ -17,10 +17,10 @@ mod tests {
     #[test]
     fn controls_and_changes_of_direction_are_obeyed() {
         for c in ['\u{1b}', '\n', '\u{9b}', '\u{202e}', '\u{2066}'] {
-            assert!(is_obeyed_by_terminals(c), "{c:?}");
+            assert!(is_terminal_control(c), "{c:?}");
         }
         for c in ['a', 'é', 'θ', '−', '×', ' '] {
-            assert!(!is_obeyed_by_terminals(c), "{c:?}");
+            assert!(!is_terminal_control(c), "{c:?}");
         }
     }
 }

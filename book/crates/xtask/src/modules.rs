@@ -4,7 +4,7 @@
 
 use crate::error::{XtaskError, XtaskResult};
 use crate::source_hash::source_hash;
-use course::{MODULES, cargo_command, target_folder, workspace};
+use course::{WASM_MODULES, cargo_command, target_folder, workspace};
 use std::path::PathBuf;
 use std::process::Command;
 use std::{env, fs};
@@ -23,7 +23,7 @@ pub fn compile_if_stale() -> XtaskResult<()> {
         return Ok(());
     }
     let hash = source_hash()?;
-    for name in MODULES {
+    for name in WASM_MODULES {
         let module = compile(name)?;
         if let Some(folder) = find_local_folder(&module) {
             return Err(XtaskError::PathInModule { module: name, folder });

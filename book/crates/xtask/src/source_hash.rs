@@ -13,10 +13,10 @@ const FOLDERS: [&str; 5] =
 
 /// The ends of the paths inside [`FOLDERS`] that aren't hashed: the file that contains the hash, the
 /// list of mistakes, which a page loads separately, and tests and benchmarks.
-const NO_SOURCES: [&str; 4] = ["modules.txt", "course/mistakes", "tests", "benches"];
+const SKIPPED_NAMES: [&str; 4] = ["modules.txt", "course/mistakes", "tests", "benches"];
 
 /// Sources that a page shows for readers to copy. In these, comments and indentation count, too.
-const SHOWN: [&str; 3] =
+const SHOWN_ON_PAGES: [&str; 3] =
     ["examples/own_scene.rs", "examples/look_at.rs", "figures/src/own_scene/program.rs"];
 
 /// Hashes all sources of the modules, including manifests.
@@ -28,7 +28,7 @@ pub fn source_hash() -> XtaskResult<String> {
     files.sort();
     let source_text = |path: &PathBuf| {
         let text = fs::read_to_string(path).map_err(XtaskError::of_file(path))?;
-        let is_shown = SHOWN.iter().any(|end| path.ends_with(end));
+        let is_shown = SHOWN_ON_PAGES.iter().any(|end| path.ends_with(end));
         Ok(if is_shown { text } else { code_lines(&text) })
     };
     let texts: XtaskResult<Vec<_>> = files.iter().map(source_text).collect();
@@ -52,7 +52,7 @@ fn push_files(folder: &Path, files: &mut Vec<PathBuf>) -> XtaskResult<()> {
     for entry in fs::read_dir(folder).map_err(XtaskError::of_file(folder))? {
         let path = entry.map_err(XtaskError::of_file(folder))?.path();
         let end = path.extension().and_then(|end| end.to_str()).unwrap_or_default();
-        if NO_SOURCES.iter().any(|end| path.ends_with(end)) {
+        if SKIPPED_NAMES.iter().any(|end| path.ends_with(end)) {
             continue;
         }
         if path.is_dir() {

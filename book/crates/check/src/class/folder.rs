@@ -11,10 +11,10 @@ use thiserror::Error;
 
 /// The maximum number of entries in a class's folder, and in a student's folder together with its
 /// subfolders.
-pub(crate) const MOST_ENTRIES: usize = 10_000;
+pub(crate) const MAX_ENTRIES: usize = 10_000;
 
 /// The maximum depth of nested folders, counting the student's own.
-const MOST_FOLDERS: usize = 8;
+const MAX_DEPTH: usize = 8;
 
 /// Folders that Git and Cargo fill. We skip them, because they contain nothing that was handed in
 /// on purpose.
@@ -33,7 +33,7 @@ pub enum FolderError {
     #[error("{0} is not a folder that can be read")]
     Unreadable(String),
     /// The folder has too many entries.
-    #[error("{0} has more than {MOST_ENTRIES} entries")]
+    #[error("{0} has more than {MAX_ENTRIES} entries")]
     TooManyEntries(String),
     /// The class's folder contains no folders.
     #[error("{folder} contains no folders; it needs one for each student{}", with_semicolon(.not_looked_at))]
@@ -138,7 +138,7 @@ struct UnreadFolder {
 /// the limit on entries cuts off the most deeply nested ones.
 pub(crate) fn find_files(student: &StudentFolder) -> Contents {
     let Contents { mut files, mut not_looked_at } = Contents::default();
-    let mut entries_left = MOST_ENTRIES;
+    let mut entries_left = MAX_ENTRIES;
     let top = student.path.clone();
     let top = UnreadFolder { path: top, printable_path: String::new(), depth: 1 };
     let mut unread = VecDeque::from([top]);
@@ -166,7 +166,7 @@ pub(crate) fn find_files(student: &StudentFolder) -> Contents {
                 Ok(_) if is_tool_folder => {
                     not_looked_at.add(printable_path + "/", SkipReason::ToolFolder);
                 }
-                Ok(_) if folder.depth == MOST_FOLDERS => {
+                Ok(_) if folder.depth == MAX_DEPTH => {
                     not_looked_at.add(printable_path + "/", SkipReason::TooDeep);
                 }
                 Ok(_) => {
@@ -182,7 +182,7 @@ pub(crate) fn find_files(student: &StudentFolder) -> Contents {
 /// Reads the entries of a folder that was given on the command line.
 fn read_top_folder(folder: &Path) -> Result<Vec<DirEntry>, FolderError> {
     let printable = printable_name(folder.as_os_str());
-    read_entries(folder, MOST_ENTRIES).map_err(|reason| match reason {
+    read_entries(folder, MAX_ENTRIES).map_err(|reason| match reason {
         SkipReason::TooManyEntries => FolderError::TooManyEntries(printable),
         _ => FolderError::Unreadable(printable),
     })

@@ -1,6 +1,6 @@
 //! A class's list of names, and which of them are the names of folders.
 
-use crate::class::folder::{MOST_ENTRIES, StudentFolder, printable_name};
+use crate::class::folder::{MAX_ENTRIES, StudentFolder, printable_name};
 use crate::class::student::Note;
 use crate::{ReadFileError, read_bounded_file};
 use std::collections::{HashMap, HashSet};
@@ -21,7 +21,7 @@ pub enum NamesError {
     #[error("{0} contains no names; write one on each line")]
     Empty(String),
     /// The file has more names than a class may have folders.
-    #[error("{0} has more than {MOST_ENTRIES} names")]
+    #[error("{0} has more than {MAX_ENTRIES} names")]
     TooMany(String),
 }
 
@@ -35,7 +35,7 @@ pub fn read_names(list: &Path) -> Result<Vec<String>, NamesError> {
     let names: Vec<_> = names.filter(|name| !name.is_empty()).map(normalize_name).collect();
     match names.len() {
         0 => Err(NamesError::Empty(printable)),
-        1..=MOST_ENTRIES => Ok(names),
+        1..=MAX_ENTRIES => Ok(names),
         _ => Err(NamesError::TooMany(printable)),
     }
 }

@@ -3,8 +3,8 @@
 use std::fmt::{self, Display, Formatter};
 
 /// The maximum number of skipped paths listed in JSON, and in a clause.
-const MOST_LISTED: usize = 100;
-const MOST_IN_CLAUSE: usize = 8;
+const MAX_LISTED: usize = 100;
+const MAX_IN_CLAUSE: usize = 8;
 
 /// Everything that was skipped: the first few paths, and how many there are in all.
 #[derive(Debug, Default)]
@@ -38,7 +38,7 @@ pub(crate) enum SkipReason {
 impl NotLookedAt {
     pub fn add(&mut self, printable_path: String, reason: SkipReason) {
         self.count += 1;
-        if self.first.len() < MOST_LISTED {
+        if self.first.len() < MAX_LISTED {
             self.first.push(SkippedPath { printable_path, reason });
         }
     }
@@ -53,7 +53,7 @@ impl NotLookedAt {
         let mut sorted: Vec<_> = self.first.iter().collect();
         sorted.sort_by_key(|file| file.reason == SkipReason::OtherName);
         let mut names: Vec<_> = sorted.iter().map(ToString::to_string).collect();
-        names.truncate(MOST_IN_CLAUSE);
+        names.truncate(MAX_IN_CLAUSE);
         let more = self.count - names.len();
         if more > 0 {
             names.push(format!("{more} more"));

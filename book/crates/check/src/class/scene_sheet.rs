@@ -8,7 +8,7 @@ use crate::comparison::scattered_positions;
 use crate::escape_for_terminal;
 use crate::number_format::{format_four_decimals, format_vector_four_decimals};
 use crate::step_scene::{ObjectHit, StepScene};
-use course::{GROUND, Owner, QUANTITIES, Quantity, camera, fnv_1a, is_obeyed_by_terminals};
+use course::{GROUND, Owner, QUANTITIES, Quantity, camera, fnv_1a, is_terminal_control};
 use std::collections::HashMap;
 use std::fmt::Write;
 use std::iter;
@@ -112,7 +112,7 @@ pub fn write_sheets(
 /// Returns the file name of a sheet, with `_` in place of characters that file systems reject or
 /// that terminals obey.
 fn file_name(name: &str) -> String {
-    let is_refused = |c: char| is_obeyed_by_terminals(c) || "./\\:*?\"<>|".contains(c);
+    let is_refused = |c: char| is_terminal_control(c) || "./\\:*?\"<>|".contains(c);
     format!("{}.md", name.replace(is_refused, "_"))
 }
 

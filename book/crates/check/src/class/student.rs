@@ -8,7 +8,7 @@ use crate::{Answer, CheckError, check_png, escape_for_terminal, read_bounded_fil
 use course::{names_of_right_pictures, read_locked_picture};
 
 /// The maximum number of files that are checked for one picture.
-const MOST_FILES_OF_PICTURE: usize = 8;
+const MAX_FILES_OF_PICTURE: usize = 8;
 
 /// The report on a student's folder.
 #[derive(Debug)]
@@ -129,7 +129,7 @@ pub(crate) fn check_student(
         if files.is_empty() && !is_required {
             continue;
         }
-        let (checked, beyond) = files.split_at(files.len().min(MOST_FILES_OF_PICTURE));
+        let (checked, beyond) = files.split_at(files.len().min(MAX_FILES_OF_PICTURE));
         let reports = checked.iter().map(|file| check_file(file, picture, &pictures)).collect();
         for file in beyond {
             let path = file.printable_path.clone();

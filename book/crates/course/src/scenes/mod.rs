@@ -6,4 +6,4 @@ mod own_scene;
 mod quantity;
 pub use named_scene::named_scene;
 pub use own_scene::OwnScene;
-pub use quantity::{Component, GROUND, Owner, QUANTITIES, Quantity, Scalar, Typed};
+pub use quantity::{Component, GROUND, Owner, QUANTITIES, Quantity, Scalar, TypedRange};

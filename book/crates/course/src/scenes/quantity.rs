@@ -15,7 +15,7 @@ pub struct Quantity {
     pub owner: Owner,
     /// The values that a reader of the steps may type for it, or None if no step's source contains
     /// it.
-    pub typed: Option<Typed>,
+    pub typed: Option<TypedRange>,
     /// Its number, or its three numbers.
     pub scalars: &'static [Scalar],
 }
@@ -35,9 +35,9 @@ pub enum Owner {
 
 /// The values that a reader may type for a quantity.
 #[derive(Clone, Copy, Debug)]
-pub struct Typed {
+pub struct TypedRange {
     /// The first step whose source contains the quantity.
-    pub since: Step,
+    pub first_step: Step,
     /// The smallest and the largest value that somebody may have typed, by mistake or not.
     pub range: [i32; 2],
     /// The number of such values per unit.
@@ -232,7 +232,7 @@ pub static QUANTITIES: &[Quantity] = &[
     Quantity {
         name: "the position",
         owner: Owner::Object,
-        typed: Some(Typed { since: Step::Sphere, range: [-50, 50], steps_per_unit: 100 }),
+        typed: Some(TypedRange { first_step: Step::Sphere, range: [-50, 50], steps_per_unit: 100 }),
         scalars: &on_ground(
             position(Property::Centre, [[-6.0, 6.0], [-3.0, 5.0], [-16.0, 6.0]]),
             [[-20.0, 20.0], [-60.0, 0.0], [-30.0, 10.0]],
@@ -241,7 +241,7 @@ pub static QUANTITIES: &[Quantity] = &[
     Quantity {
         name: "the radius",
         owner: Owner::Object,
-        typed: Some(Typed { since: Step::Sphere, range: [0, 60], steps_per_unit: 100 }),
+        typed: Some(TypedRange { first_step: Step::Sphere, range: [0, 60], steps_per_unit: 100 }),
         scalars: &on_ground(
             [scalar(Property::Radius, "r", "radius", [0.05, 3.0], 100.0)],
             [[10.0, 60.0]],
@@ -256,13 +256,13 @@ pub static QUANTITIES: &[Quantity] = &[
     Quantity {
         name: "n",
         owner: Owner::Object,
-        typed: Some(Typed { since: Step::Phong, range: [0, 1000], steps_per_unit: 1 }),
+        typed: Some(TypedRange { first_step: Step::Phong, range: [0, 1000], steps_per_unit: 1 }),
         scalars: &[scalar(Property::Shininess, "n", "shininess", [1.0, 300.0], 1.0)],
     },
     Quantity {
         name: "the colour",
         owner: Owner::Object,
-        typed: Some(Typed { since: Step::Nearest, range: [0, 5], steps_per_unit: 100 }),
+        typed: Some(TypedRange { first_step: Step::Nearest, range: [0, 5], steps_per_unit: 100 }),
         scalars: &colour(Property::ObjectColour, 1.0),
     },
     Quantity {
@@ -277,7 +277,11 @@ pub static QUANTITIES: &[Quantity] = &[
     Quantity {
         name: "the position",
         owner: Owner::Light,
-        typed: Some(Typed { since: Step::Diffuse, range: [-20, 20], steps_per_unit: 100 }),
+        typed: Some(TypedRange {
+            first_step: Step::Diffuse,
+            range: [-20, 20],
+            steps_per_unit: 100,
+        }),
         scalars: &position(Property::LightPosition, [[-12.0, 12.0], [-6.0, 12.0], [-20.0, 6.0]]),
     },
     Quantity {
@@ -299,7 +303,7 @@ pub static QUANTITIES: &[Quantity] = &[
     Quantity {
         name: "(a, b, c)",
         owner: Owner::Light,
-        typed: Some(Typed { since: Step::Diffuse, range: [0, 2], steps_per_unit: 1000 }),
+        typed: Some(TypedRange { first_step: Step::Diffuse, range: [0, 2], steps_per_unit: 1000 }),
         scalars: &along_axes([
             // The minimum is above 0, which keeps a + bd + cd² above 0.
             scalar(Property::Attenuation, "a", "constant fading", [0.1, 2.0], 100.0),
@@ -311,8 +315,10 @@ pub static QUANTITIES: &[Quantity] = &[
 
 const CAMERA_RANGES: [[f64; 2]; 3] = [[-12.0, 12.0], [-6.0, 12.0], [-20.0, 12.0]];
 
-const LIGHT_COLOUR: Typed = Typed { since: Step::Diffuse, range: [0, 5], steps_per_unit: 100 };
-const HIGHLIGHT_COLOUR: Typed = Typed { since: Step::Phong, range: [0, 5], steps_per_unit: 100 };
+const LIGHT_COLOUR: TypedRange =
+    TypedRange { first_step: Step::Diffuse, range: [0, 5], steps_per_unit: 100 };
+const HIGHLIGHT_COLOUR: TypedRange =
+    TypedRange { first_step: Step::Phong, range: [0, 5], steps_per_unit: 100 };
 
 const fn scalar(
     property: Property,

@@ -6,7 +6,7 @@ use std::process::Command;
 
 /// The WebAssembly modules that pages load: `live` draws the interactive figures, `check` examines
 /// a reader's picture, and `expressions` draws with the lines that a reader edits.
-pub const MODULES: [&str; 3] = ["live", "check", "expressions"];
+pub const WASM_MODULES: [&str; 3] = ["live", "check", "expressions"];
 
 /// The root folder of the project, even if it was moved after this program was built.
 ///

@@ -3,7 +3,7 @@
 
 mod folders;
 mod replace_file;
-pub use folders::{MODULES, cargo_command, target_folder, workspace};
+pub use folders::{WASM_MODULES, cargo_command, target_folder, workspace};
 pub use replace_file::replace_file;
 
 pub mod environment;

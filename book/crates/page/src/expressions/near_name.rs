@@ -1,7 +1,7 @@
 //! Finds the name that a reader most likely meant.
 
 /// The minimum length of a name that is recognised although some of its letters are wrong.
-const LEAST_LETTERS: usize = 3;
+const MIN_LETTERS: usize = 3;
 
 /// Words from other languages and libraries, each with the names that Rust and glam use for the
 /// same thing.
@@ -47,7 +47,7 @@ pub fn find_near_name<'a>(name: &str, known: impl Iterator<Item = &'a str>) -> O
         if let Some(index) = wanted.iter().position(|word| *word == small) {
             return Some(index);
         }
-        if small.len().min(name.len()) < LEAST_LETTERS {
+        if small.len().min(name.len()) < MIN_LETTERS {
             return None;
         }
         let distance = strsim::osa_distance(&wanted[0], &small);
