@@ -93,13 +93,15 @@ test('the first page’s picture loads nothing until somebody is at it, then a b
   page.on('request', request => files.push(request.url().split('/').at(-1)));
   await open(page, `${home}index.html`);
   const figure = page.locator('figure[data-preview]');
-  const move = (i, j) => page.mouse.move(x + i / 640 * width, y + j / 640 * width, { steps: 3 });
+  const move = async (i, j) => {
+    const { x, y, width } = await figure.locator('img, canvas').boundingBox();
+    await page.mouse.move(x + i / 640 * width, y + j / 640 * width, { steps: 3 });
+  };
   const said = () => figure.evaluate(one => getComputedStyle(one, '::before').content);
   expect(await said()).toBe('"Drag a ball"');
   await page.setViewportSize({ width: 1280, height: 720 });
   await expect(figure.locator('img')).toBeInViewport({ ratio: 1 });
   await expect(figure.locator('.hint')).toBeInViewport({ ratio: 1 });
-  const { x, y, width } = await figure.locator('img').boundingBox();
   expect(files.filter(file => /figure|wasm|module|own_scene/.test(file))).toEqual([]);
   await move(250, 240);
   await figure.and(page.locator('[data-ready]')).waitFor({ timeout: 20_000 });
