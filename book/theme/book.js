@@ -37,7 +37,7 @@ const book = /** @type {any} */ ({ root: document.documentElement });
         return element;
     };
 
-    book.write = (element, text) => { if (element.textContent !== text) element.textContent = text; };
+    book.setText = (element, text) => { if (element.textContent !== text) element.textContent = text; };
 
     book.makeRange = (element, from, length) => {
         const range = document.createRange();
@@ -53,7 +53,7 @@ const book = /** @type {any} */ ({ root: document.documentElement });
         return range;
     };
 
-    book.copyBy = async (button, text, words = "Copied") => {
+    book.copyAndReport = async (button, text, words = "Copied") => {
         const label = button.dataset.label ??= button.textContent;
         const isCopied = await navigator.clipboard?.writeText(text).then(() => true, () => false);
         button.textContent = isCopied ? words : "Not copied";
@@ -65,7 +65,7 @@ const book = /** @type {any} */ ({ root: document.documentElement });
         try { return JSON.parse(localStorage.getItem(name)) ?? {}; } catch { return {}; /* private */ }
     };
 
-    book.keep = (name, key, value) => {
+    book.store = (name, key, value) => {
         try { localStorage.setItem(name, JSON.stringify({ ...book.recall(name), [key]: value })); } catch { /* private */ }
     };
 
@@ -262,7 +262,7 @@ const book = /** @type {any} */ ({ root: document.documentElement });
             const lines = Number(caption.parentElement.style.getPropertyValue("--lines"));
             const ends = lines + 1 - copy.textContent.split("\n").length;
             const text = copy.textContent + "\n".repeat(Math.max(0, ends));
-            book.copyBy(button, text, edited.length ? "Copied, without your lines" : "Copied");
+            book.copyAndReport(button, text, edited.length ? "Copied, without your lines" : "Copied");
         });
     }
 
@@ -272,7 +272,7 @@ const book = /** @type {any} */ ({ root: document.documentElement });
         code.closest("figure").append(button);
         button.addEventListener("click", () => {
             const lines = code.textContent.split("\n").filter(line => line.startsWith("$ "));
-            book.copyBy(button, lines.map(line => line.slice(2)).join("\n"));
+            book.copyAndReport(button, lines.map(line => line.slice(2)).join("\n"));
         });
     }
 
@@ -302,7 +302,7 @@ const book = /** @type {any} */ ({ root: document.documentElement });
         form.addEventListener("submit", event => {
             event.preventDefault();
             check();
-            book.keep("answers", number, input.value);
+            book.store("answers", number, input.value);
         });
         input.value = book.recall("answers")[number] ?? "";
         if (input.value) check();

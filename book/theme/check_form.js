@@ -70,7 +70,7 @@
             asked.onmessage = ({ data }) => {
                 showIfAsked(data.code, ...makeReport(data));
                 if (data.code !== 0 || scene) return;
-                book.keep("right", expected ?? file.name.replace(/\.png$/i, ""), true);
+                book.store("right", expected ?? file.name.replace(/\.png$/i, ""), true);
                 book.markRight();
             };
             const fail = () => showIfAsked(2, `This page can't check ${file.name}. In our folder, run: cargo run --bin check`);

@@ -224,10 +224,10 @@
                     // Leave a number alone while it is being typed. If the figure can't show it,
                     // say what it shows instead.
                     else if (input.type === "range" || input !== document.activeElement) input.value = String(values[id]);
-                    else if (Math.abs(book.readNumber(input.value) - values[id]) > 1e-9) book.write(this.fault, `The figure shows ${texts[id]} instead.`);
+                    else if (Math.abs(book.readNumber(input.value) - values[id]) > 1e-9) book.setText(this.fault, `The figure shows ${texts[id]} instead.`);
                     if (input.type === "range") input.setAttribute("aria-valuetext", texts[id]);
                 }
-                if (output) book.write(output, texts[id]);
+                if (output) book.setText(output, texts[id]);
             }
             this.afterControls?.();
         }
@@ -295,7 +295,7 @@
         showReadouts({ readouts, program }) {
             /** @type {(key: string) => string} */
             const readoutOf = key => readouts[key.slice(this.name.length + 1)] ?? "";
-            for (const element of this.readouts) book.write(element, readoutOf(element.dataset.number));
+            for (const element of this.readouts) book.setText(element, readoutOf(element.dataset.number));
             for (const part of this.conditionalParts) part.hidden = readoutOf(part.dataset.when) === "";
             if (this.probe) this.showPixel(readouts);
             if (this.code && this.code.textContent !== program) this.showProgram(program);
@@ -348,7 +348,7 @@
             this.copyLink ??= book.make("button", { type: "button", class: "copy" }, "Copy link");
             this.copyLink.onclick = () => {
                 writeHash(PIXEL + this.pixel);
-                book.copyBy(this.copyLink, location.href);
+                book.copyAndReport(this.copyLink, location.href);
             };
             return [this.copyLink];
         }

@@ -17,14 +17,14 @@
             this.about = about;
             this.index = index;
             // In an editable scene, a handle has the name of the object that it moves.
-            this.object = figure.about.colours ? about.words : undefined;
+            this.object = figure.about.colours ? about.label : undefined;
             /** @type {[number, number] | null} */
             this.position = null;
             // From the pointer to the handle, so that the handle doesn't jump to the pointer when a
             // drag begins.
             this.offset = [0, 0];
             this.element = book.make("span", {
-                class: `handle handle-${about.mark}`, role: "slider", tabindex: 0, "aria-label": about.words, title: about.words,
+                class: `handle handle-${about.mark}`, role: "slider", tabindex: 0, "aria-label": about.label, title: about.label,
                 "aria-valuemin": min, "aria-valuemax": max,
             });
             this.element.addEventListener("focus", () => figure.selectObject(this.object));

@@ -34,8 +34,8 @@
     const undo = button("↶", () => show(-1), "Undo");
     const redo = button("↷", () => show(1), "Redo");
     const reset = button("Reset", () => { setText(selected, selected.dataset.book); selected.focus(); draw(LARGE); });
-    const copyLine = button("Copy line", () => book.copyBy(copyLine, readText(selected), "Line copied"));
-    const copyLink = button("Copy link", () => { record(); book.copyBy(copyLink, location.href, "Link copied"); });
+    const copyLine = button("Copy line", () => book.copyAndReport(copyLine, readText(selected), "Line copied"));
+    const copyLink = button("Copy link", () => { record(); book.copyAndReport(copyLink, location.href, "Link copied"); });
     const close = button("✕", () => { const line = selected; deselect(); line.focus(); }, "Close");
     const panel = book.make("div", { "class": "panel" }, canvas, book.make("div", {}, status,
         book.make("div", {}, undo, redo, reset, close, copyLine, copyLink)));

@@ -174,8 +174,8 @@
 
     /** @param {InteractiveFigure} figure @param {AddTool} addTool @param {() => void} writeAddress */
     function addCopies(figure, addTool, writeAddress) {
-        const link = addTool("Copy link", () => { writeAddress(); book.copyBy(link, location.href); });
-        const rust = addTool("Copy Rust", () => book.copyBy(rust, figure.reply.program));
+        const link = addTool("Copy link", () => { writeAddress(); book.copyAndReport(link, location.href); });
+        const rust = addTool("Copy Rust", () => book.copyAndReport(rust, figure.reply.program));
         addTool("Download PNG", () => {
             const large = book.make("canvas", {}), kept = book.make("canvas", {});
             const { module, name, values } = figure;

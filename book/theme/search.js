@@ -92,7 +92,7 @@
 
     async function makeIndex() {
         await Promise.all([book.load("theme/minisearch.min.js"), book.load("search-index.js")]);
-        if (!window.MiniSearch || !book.searchIndex) return book.write(status, "The search did not load. Close it and try again.");
+        if (!window.MiniSearch || !book.searchIndex) return book.setText(status, "The search did not load. Close it and try again.");
         for (const group of book.searchSynonyms) {
             const [first, ...others] = group.map(word => findFamily(stem(word)).slice(1));
             for (const other of others) synonyms.set(other, first);
@@ -200,7 +200,7 @@
         else if (query && !results.length) list.append(makeHint("mistakes.html#what-went-wrong", "If something is wrong with your picture, look here."));
         const count = results.length === 1 ? "One section" : `${results.length} sections`;
         const shown = results.length > MOST_RESULTS ? `${count}. The first ${MOST_RESULTS}:` : count;
-        book.write(status, !query ? "" : hint ? "That’s a message from Rust." : !results.length ? "Nothing in the book comes near it."
+        book.setText(status, !query ? "" : hint ? "That’s a message from Rust." : !results.length ? "Nothing in the book comes near it."
             : results.some(({ share }) => share === 1) ? shown : "No section has all of it. These come near:");
     }
 

@@ -42,8 +42,8 @@
         /** @type {(bytes: Uint8Array, at: number) => void} */
         const copyIn = (bytes, at) => new Uint8Array(module.memory.buffer, at, bytes.length).set(bytes);
         const json = new TextEncoder().encode(JSON.stringify(request));
-        copyIn(json, module.make_room(0, json.length));
-        if (file) copyIn(file, module.make_room(1, file.length));
+        copyIn(json, module.allocate_input(0, json.length));
+        if (file) copyIn(file, module.allocate_input(1, file.length));
         const address = module.make_reply();
         const [text, letters, pixels, count] = new Uint32Array(module.memory.buffer, address, 4);
         /** @type {(at: number, length: number) => Uint8ClampedArray<ArrayBuffer>} */

@@ -16,7 +16,7 @@ interface Book {
    * Sets an element's text, unless the text is there already. In that case, nothing has to be laid
    * out again.
    */
-  write(element: Element, text: string): void;
+  setText(element: Element, text: string): void;
   /** Makes a range of `length` letters in an element, starting with the one at `from`. */
   makeRange(element: Element, from: number, length: number): Range;
   /** Runs a function that writes HTML, which has to come from these scripts or the modules. */
@@ -27,11 +27,11 @@ interface Book {
    * Copies a text, if the browser allows it, and says on the button for a while whether it was
    * copied.
    */
-  copyBy(button: HTMLButtonElement, text: string, words?: string): Promise<void>;
+  copyAndReport(button: HTMLButtonElement, text: string, words?: string): Promise<void>;
   /** Returns the values that the browser stores under this name, by key, or an empty object. */
   recall(name: string): Record<string, any>;
   /** Stores a value in the browser under a name and a key, if the reader's settings allow that. */
-  keep(name: string, key: string, value: string | boolean): void;
+  store(name: string, key: string, value: string | boolean): void;
   /** Ticks the steps in the contents for which the reader's picture was right. */
   markRight(): void;
   /**
@@ -129,7 +129,7 @@ interface CompiledModule {
 
 interface Module {
   memory: WebAssembly.Memory;
-  make_room(index: number, length: number): number;
+  allocate_input(index: number, length: number): number;
   make_reply(): number;
 }
 
@@ -245,7 +245,7 @@ interface ParameterAbout {
 }
 
 interface HandleAbout {
-  words: string;
+  label: string;
   mark: "point" | "light" | "probe";
   /** The ids of the parameters that it sets. */
   horizontal: string;

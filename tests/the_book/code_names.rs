@@ -23,7 +23,7 @@ fn words_with_surroundings(text: &str) -> impl Iterator<Item = (&str, &str, &str
 
 /// Whether a word in a code span has to be a name: it is the whole span, `snake_case`, `CamelCase`,
 /// called as a function, or part of a path.
-fn is_name(before: &str, word: &str, after: &str) -> bool {
+fn must_be_name(before: &str, word: &str, after: &str) -> bool {
     let mut pairs = word.chars().zip(word.chars().skip(1));
     word.starts_with(|c: char| c.is_alphabetic())
         && (before.is_empty() && after.is_empty()
@@ -92,7 +92,7 @@ impl<'a> SourceNames<'a> {
 fn faults_in_code(code: &str, source: &SourceNames) -> Vec<String> {
     let mut faults = vec![];
     for (before, word, after) in
-        words_with_surroundings(code).filter(|(b, word, a)| is_name(b, word, a))
+        words_with_surroundings(code).filter(|(b, word, a)| must_be_name(b, word, a))
     {
         if !source.words.contains(word) {
             faults.push(format!("no code has `{word}`"));

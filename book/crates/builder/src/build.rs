@@ -103,7 +103,7 @@ fn write_and_check_pages(workspace: &Path, folder: &Path) -> Result<Site> {
 /// Finishes the pages that mdBook has written. Returns the name and final HTML of each.
 fn finish_pages(files: &Files) -> Result<Vec<(String, String)>> {
     let pages = files.texts_with_suffix(".html").map(|(name, html)| {
-        let html = close_part_titles(html).with_context(|| name.to_owned())?;
+        let html = unwrap_part_titles(html).with_context(|| name.to_owned())?;
         let mut html = inline_stylesheets(&html, files).with_context(|| name.to_owned())?;
         if name == "print.html" {
             html = picture::load_all_pictures(&html);
@@ -115,7 +115,7 @@ fn finish_pages(files: &Files) -> Result<Vec<(String, String)>> {
 
 /// Repairs the titles of parts in the table of contents. mdBook puts each title into a list item
 /// directly inside another list item, which HTML doesn't allow; only the inner one is kept.
-fn close_part_titles(html: &str) -> Result<String, MissingEnd> {
+fn unwrap_part_titles(html: &str) -> Result<String, MissingEnd> {
     let begin = "<li class=\"chapter-item expanded \"><li class=\"part-title\">";
     replace_between(html, begin, "</li></li>", |title| {
         Ok(format!("<li class=\"part-title\">{title}</li>"))
@@ -154,7 +154,7 @@ mod tests {
     fn title_of_a_part_is_one_list_item() {
         let html =
             "<ol><li class=\"chapter-item expanded \"><li class=\"part-title\">a</li></li></ol>";
-        let closed = close_part_titles(html).expect("closed");
+        let closed = unwrap_part_titles(html).expect("closed");
         assert_eq!(closed, "<ol><li class=\"part-title\">a</li></ol>");
     }
 

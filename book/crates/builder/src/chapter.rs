@@ -128,7 +128,7 @@ impl<'a> Chapter<'a> {
 
     /// Copies the text up to a position, and pairs that position with the one that it now has in
     /// the expanded text.
-    fn copy_and_pair_position(&mut self, in_text: usize) -> Position {
+    fn copy_until_position_pair(&mut self, in_text: usize) -> Position {
         self.copy_until(in_text);
         Position { in_text, in_expanded: self.expanded.markdown.len() }
     }
@@ -260,14 +260,14 @@ impl<'a> Chapter<'a> {
                 _ => return Ok(Expansion::Keep),
             },
             Event::Start(Tag::Strong) => {
-                let position = self.copy_and_pair_position(range.start);
+                let position = self.copy_until_position_pair(range.start);
                 if let Some(OpenBox::Answer(answer)) = &mut self.open_box {
                     answer.record_bold_start(position);
                 }
                 return Ok(Expansion::Keep);
             }
             Event::End(TagEnd::Strong) => {
-                let position = self.copy_and_pair_position(range.end);
+                let position = self.copy_until_position_pair(range.end);
                 if let Some(OpenBox::Answer(answer)) = &mut self.open_box {
                     answer.record_bold_end(position);
                 }
@@ -335,7 +335,7 @@ impl<'a> Chapter<'a> {
         } else if language == "algorithm" {
             algorithm::algorithm_html(&content)
         } else if ["", "rust", "toml"].contains(&language) {
-            return Err(ChapterError::TypedCode);
+            return Err(ChapterError::CodeNotIncluded);
         } else {
             return numbers::fill_in_code(source, &self.sources.values);
         };
@@ -403,7 +403,7 @@ impl<'a> Chapter<'a> {
     ) -> ChapterResult<String> {
         match self.open_box.take() {
             Some(OpenBox::Problem(problem)) if kind == BoxKind::Answer => {
-                let answer = problem.begin_answer(self.copy_and_pair_position(start));
+                let answer = problem.begin_answer(self.copy_until_position_pair(start));
                 self.open_box = Some(OpenBox::Answer(answer));
                 html
             }
@@ -454,7 +454,7 @@ impl<'a> Chapter<'a> {
             Err(error) => (None, Err(error)),
         };
         self.replace(range.clone(), html);
-        let text_start = self.copy_and_pair_position(range.end);
+        let text_start = self.copy_until_position_pair(range.end);
         let problem = OpenProblem { heading, start: range.start, text_start };
         self.open_box = Some(OpenBox::Problem(problem));
     }

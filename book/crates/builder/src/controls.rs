@@ -22,7 +22,7 @@ pub fn controls_html(figure: &Figure) -> String {
     let (mut exact, mut above, mut below) = (vec![], String::new(), String::new());
     for parameter in &figure.parameters {
         let control = Control { figure, parameter };
-        if control.is_exact() {
+        if control.is_folded() {
             exact.push(control);
         } else if parameter.kind == ParameterKind::Switch || figure.editable_scene.is_none() {
             above += &control.html();
@@ -42,7 +42,7 @@ pub fn controls_html(figure: &Figure) -> String {
              {above}{RESET}</div>{below}"
         )
     } else {
-        format!("{above}{}{RESET}", exact_html(&exact))
+        format!("{above}{}{RESET}", folded_fields_html(&exact))
     };
     let tool = if figure.editable_scene.is_some() { " tool" } else { "" };
     format!("<div class=\"controls{tool}\" hidden>{hint}{content}</div>")
@@ -55,7 +55,7 @@ pub fn preview_html(figure: &Figure) -> String {
 }
 
 /// The folded number fields. The coordinates of an object share a row.
-fn exact_html(exact: &[Control]) -> String {
+fn folded_fields_html(exact: &[Control]) -> String {
     if exact.is_empty() {
         return String::new();
     }
@@ -65,7 +65,7 @@ fn exact_html(exact: &[Control]) -> String {
     };
     let rows = exact.chunk_by(is_same_row).map(|row| {
         let fields: String = row.iter().map(Control::html).collect();
-        let label = escape(object(&row[0]).unwrap_or(&row[0].parameter.words));
+        let label = escape(object(&row[0]).unwrap_or(&row[0].parameter.label));
         format!("<div class=\"row\"><span>{label}</span>{fields}</div>")
     });
     let rows: String = rows.collect();
@@ -81,7 +81,7 @@ struct Control<'a> {
 impl Control<'_> {
     /// Whether the control is a folded number field, because a handle sets the parameter or another
     /// coordinate of the same object. An editable scene shows all controls unfolded.
-    fn is_exact(&self) -> bool {
+    fn is_folded(&self) -> bool {
         let Self { figure, parameter } = self;
         let is_moved = figure.handles.iter().any(|handle| handle.moves(parameter.id));
         is_moved && figure.editable_scene.is_none()
@@ -106,31 +106,31 @@ impl Control<'_> {
     /// The HTML of the control at its default value. A parameter that a handle sets gets a number
     /// field without a slider.
     fn html(&self) -> String {
-        let Parameter { id, symbol, words, unit, range: [min, max], default, .. } = self.parameter;
+        let Parameter { id, symbol, label, unit, range: [min, max], default, .. } = self.parameter;
         let step = self.parameter.step();
         let range = format!("min=\"{min}\" max=\"{max}\" step=\"{step}\" value=\"{default}\"");
-        let name = escape(format!("{symbol} {words}").trim());
+        let name = escape(format!("{symbol} {label}").trim());
         let slider = format!("<input type=\"range\" {range} aria-label=\"{name}\">");
         let number = format!("<input type=\"number\" aria-label=\"{name}\" {range}>");
-        let label = label_html(symbol, words);
+        let label_element = label_html(symbol, label);
         let (class, content) = match self.parameter.kind {
             ParameterKind::Switch => {
                 let checked = if *default == 1.0 { " checked" } else { "" };
                 let field = format!("<input type=\"checkbox\"{checked}>");
-                ("switch", format!("<label>{label}{field}</label>"))
+                ("switch", format!("<label>{label_element}{field}</label>"))
             }
             ParameterKind::Choice(_) => {
                 let text = escape(&self.parameter.format(*default));
                 let text = format!("<b aria-hidden=\"true\">{text}</b>");
-                ("range", format!("<label>{label}{slider}</label>{text}"))
+                ("range", format!("<label>{label_element}{slider}</label>{text}"))
             }
-            ParameterKind::Number if self.is_exact() => {
-                let label = label_html(symbol, "");
-                ("field", format!("<label>{label} {number}{}</label>", escape(unit)))
+            ParameterKind::Number if self.is_folded() => {
+                let symbol_element = label_html(symbol, "");
+                ("field", format!("<label>{symbol_element} {number}{}</label>", escape(unit)))
             }
             ParameterKind::Number => {
                 let field = format!("<span>{number}{}</span>", escape(unit));
-                ("range", format!("<label>{label}{slider}</label>{field}"))
+                ("range", format!("<label>{label_element}{slider}</label>{field}"))
             }
         };
         let hidden = if self.is_shown_at_first() { "" } else { " hidden" };
@@ -141,13 +141,13 @@ impl Control<'_> {
     }
 }
 
-fn label_html(symbol: &str, words: &str) -> String {
+fn label_html(symbol: &str, label: &str) -> String {
     let symbol: String = symbol.chars().map(italic_letter).collect();
     let symbol = match symbol.as_str() {
         "" => symbol,
         _ => format!("<span class=\"symbol\" aria-hidden=\"true\">{}</span> ", escape(&symbol)),
     };
-    format!("<span>{symbol}{}</span>", escape(words))
+    format!("<span>{symbol}{}</span>", escape(label))
 }
 
 #[cfg(test)]

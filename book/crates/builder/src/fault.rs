@@ -87,7 +87,7 @@ pub enum ChapterError {
     Formula { latex: String, source: Option<Box<LatexError>> },
 
     #[error("a listing has to come from a file: write one {{{{#include path}}}} and nothing else")]
-    TypedCode,
+    CodeNotIncluded,
     #[error("the file {path} can't be read")]
     UnreadableFile { path: String, source: io::Error },
     #[error("a part of a file is BEGIN..END, the first words of two of its lines, not {0}")]

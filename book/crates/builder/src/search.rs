@@ -125,8 +125,8 @@ fn page_sections(page: &Page) -> Vec<Section> {
     for part in main.into_iter().flat_map(|main| page.descendants(main)) {
         // Skip elements inside a part that has been read already, and wrappers, whose parts are
         // read one by one.
-        let is_frame = matches!(part.attr("class"), Some("cover" | "with-margin"));
-        if part.text.start < end || is_frame {
+        let is_wrapper = matches!(part.attr("class"), Some("cover" | "with-margin"));
+        if part.text.start < end || is_wrapper {
             continue;
         }
         end = part.text.end;

@@ -58,7 +58,7 @@ pub fn parse_address(figure: &Figure, address: &str) -> Result<ParameterValues, 
         let number = number.ok_or_else(|| AddressError::not_allowed(parameter, value))?;
         values.set(parameter.id, number);
     }
-    figure.snap_if_allowed(&values).ok_or(AddressError::NothingToShow)
+    figure.nearest_allowed_values(&values).ok_or(AddressError::NothingToShow)
 }
 
 /// The values in a request, where a number outside its range becomes the nearest one within it. A
@@ -75,7 +75,7 @@ pub fn allowed_values(
         }
         values.set(parameter.id, *number);
     }
-    figure.snap_if_allowed(&values).ok_or(AddressError::NothingToShow)
+    figure.nearest_allowed_values(&values).ok_or(AddressError::NothingToShow)
 }
 
 /// The parameter with the name that pages use.

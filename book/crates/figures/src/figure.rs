@@ -13,7 +13,7 @@ pub struct Figure {
     /// What the figure shows.
     pub content: Content,
     /// The figure whose values this one takes instead of having controls of its own.
-    pub followed: Option<&'static str>,
+    pub follows: Option<&'static str>,
     /// The numbers that the reader can set.
     pub parameters: Vec<Parameter>,
     /// The marks that the reader can drag.
@@ -26,7 +26,7 @@ pub struct Figure {
     /// Extras for a scene that the reader edits. None for all other figures.
     pub editable_scene: Option<EditableScene>,
     /// Whether there is anything to show at these values.
-    pub is_allowed: fn(&ParameterValues) -> bool,
+    pub has_something_to_show: fn(&ParameterValues) -> bool,
 }
 
 /// What a figure shows at given values.
@@ -80,13 +80,13 @@ impl Figure {
         Self {
             name,
             content,
-            followed: None,
+            follows: None,
             parameters: vec![],
             handles: vec![],
             readouts: |_| Readouts::new(),
             row_count: 0,
             editable_scene: None,
-            is_allowed: |_| true,
+            has_something_to_show: |_| true,
         }
     }
 
@@ -107,7 +107,7 @@ impl Figure {
         let mut values = self.default_values();
         values.set(probe.horizontal, i);
         values.set(probe.vertical, j);
-        let allowed = self.snap_if_allowed(&values)?;
+        let allowed = self.nearest_allowed_values(&values)?;
         (allowed == values).then_some(values)
     }
 
@@ -123,17 +123,17 @@ impl Figure {
         let mut new = values.clone();
         new.set(handle.horizontal, x);
         new.set(handle.vertical, y);
-        self.snap_if_allowed(&new)
+        self.nearest_allowed_values(&new)
     }
 
     /// The nearest allowed values. Returns None if there is nothing to show at them.
-    pub fn snap_if_allowed(&self, values: &ParameterValues) -> Option<ParameterValues> {
+    pub fn nearest_allowed_values(&self, values: &ParameterValues) -> Option<ParameterValues> {
         let allowed = self
             .parameters
             .iter()
             .map(|parameter| (parameter.id, parameter.nearest_allowed(values[parameter.id])));
         let allowed = allowed.collect();
-        (values.are_finite() && (self.is_allowed)(&allowed)).then_some(allowed)
+        (values.are_finite() && (self.has_something_to_show)(&allowed)).then_some(allowed)
     }
 }
 

@@ -10,8 +10,8 @@ use step01_rays::Camera;
 ///
 /// Its position is in the coordinates of the drawing, or in pixels.
 pub struct Handle {
-    /// The name in words.
-    pub words: &'static str,
+    /// The name that readers see, and hear from a screen reader.
+    pub label: &'static str,
     /// What the mark looks like.
     pub mark: Mark,
     /// The parameter that the left and right arrow keys change.
@@ -36,9 +36,9 @@ type CoordinatesAt = dyn Fn(&ParameterValues, DVec2) -> Option<DVec2> + Send + S
 /// Leaves out the closures, which have nothing to show.
 impl Debug for Handle {
     fn fmt(&self, f: &mut Formatter) -> fmt::Result {
-        let Self { words, mark, horizontal, vertical, depth, presence, .. } = self;
+        let Self { label, mark, horizontal, vertical, depth, presence, .. } = self;
         f.debug_struct("Handle")
-            .field("words", words)
+            .field("label", label)
             .field("mark", mark)
             .field("horizontal", horizontal)
             .field("vertical", vertical)
@@ -73,13 +73,13 @@ impl Mark {
 impl Handle {
     /// A handle that sets two parameters. The arguments are described at the fields.
     pub fn new(
-        words: &'static str,
+        label: &'static str,
         [horizontal, vertical]: [ParameterId; 2],
         locate: impl Fn(&ParameterValues) -> Option<DVec2> + Send + Sync + 'static,
         coordinates_at: impl Fn(&ParameterValues, DVec2) -> Option<DVec2> + Send + Sync + 'static,
     ) -> Self {
         Self {
-            words,
+            label,
             mark: Mark::Point,
             horizontal,
             vertical,
@@ -92,7 +92,7 @@ impl Handle {
 
     /// A handle that sets one parameter.
     pub fn of_parameter(
-        words: &'static str,
+        label: &'static str,
         parameter: ParameterId,
         locate: impl Fn(&ParameterValues) -> DVec2 + Send + Sync + 'static,
         value_at: impl Fn(&ParameterValues, DVec2) -> f64 + Send + Sync + 'static,
@@ -100,13 +100,13 @@ impl Handle {
         let value_at = move |values: &ParameterValues, position| {
             Some(DVec2::splat(value_at(values, position)))
         };
-        Self::new(words, [parameter; 2], move |values| Some(locate(values)), value_at)
+        Self::new(label, [parameter; 2], move |values| Some(locate(values)), value_at)
     }
 
     /// A handle at this distance from the origin that sets an angle, measured to the left of
     /// straight up. The angle is between −90° and 270°.
     pub fn of_angle(
-        words: &'static str,
+        label: &'static str,
         parameter: ParameterId,
         view: View,
         distance: f64,
@@ -114,7 +114,7 @@ impl Handle {
         let locate = move |values: &ParameterValues| {
             view.to_drawing(distance * direction_left_of_up(values[parameter]))
         };
-        Self::of_parameter(words, parameter, locate, move |_, position| {
+        Self::of_parameter(label, parameter, locate, move |_, position| {
             (view.degrees_left_of_up(position) + 90.0).rem_euclid(360.0) - 90.0
         })
     }
@@ -131,7 +131,7 @@ impl Handle {
     /// no point with this z is ahead of the camera. If `camera_and_point` returns None, there is
     /// nothing to drag.
     pub fn of_world_point_in_picture(
-        words: &'static str,
+        label: &'static str,
         coordinates: [ParameterId; 2],
         margin: f64,
         camera_and_point: impl Fn(&ParameterValues) -> Option<(Camera, DVec3)>
@@ -146,7 +146,7 @@ impl Handle {
             let pixel = camera.matrix.inverse() * (point - camera.centre);
             (pixel.z > 0.0).then(|| pixel.truncate() / pixel.z + 0.5)
         };
-        Self::new(words, coordinates, locate, move |values, position| {
+        Self::new(label, coordinates, locate, move |values, position| {
             let (camera, point) = camera_and_point(values)?;
             let pixel = position.clamp(DVec2::splat(margin), SIZE - margin) - 0.5;
             let ray = camera.ray(pixel.x, pixel.y);

@@ -13,8 +13,8 @@ pub struct Parameter {
     pub id: ParameterId,
     /// The symbol, written as in the formulas, or an empty string.
     pub symbol: &'static str,
-    /// The name in words, which follows the symbol.
-    pub words: String,
+    /// The name that readers see, after the symbol.
+    pub label: String,
     /// The unit, such as °, or an empty string.
     pub unit: &'static str,
     /// The default value, which is the one in the printed book.
@@ -68,7 +68,7 @@ impl Parameter {
     /// A number without a symbol or unit.
     pub fn number(
         id: ParameterId,
-        words: impl Into<String>,
+        label: impl Into<String>,
         default: f64,
         range: [f64; 2],
         steps_per_unit: f64,
@@ -76,7 +76,7 @@ impl Parameter {
         Self {
             id,
             symbol: "",
-            words: words.into(),
+            label: label.into(),
             unit: "",
             default,
             range,
@@ -109,27 +109,27 @@ impl Parameter {
         [x_range, y_range]: [[f64; 2]; 2],
         steps_per_unit: f64,
     ) -> [Self; 2] {
-        let words = format!("of {}", id.0);
-        let x = Self::number(id.x(), &*words, x, x_range, steps_per_unit);
-        let y = Self::number(id.y(), words, y, y_range, steps_per_unit);
+        let label = format!("of {}", id.0);
+        let x = Self::number(id.x(), &*label, x, x_range, steps_per_unit);
+        let y = Self::number(id.y(), label, y, y_range, steps_per_unit);
         [x.with_symbol("x").with_axis(Axis::Right), y.with_symbol("y").with_axis(Axis::Up)]
     }
 
     /// A choice between several names.
     pub fn choice(
         id: ParameterId,
-        words: &'static str,
+        label: &'static str,
         default: f64,
         names: &'static [&'static str],
     ) -> Self {
         let range = [0.0, (names.len() - 1) as f64];
         let kind = ParameterKind::Choice(names);
-        Self { kind, ..Self::number(id, words, default, range, 1.0) }
+        Self { kind, ..Self::number(id, label, default, range, 1.0) }
     }
 
     /// A switch.
-    pub fn switch(id: ParameterId, words: &'static str, is_on: bool) -> Self {
-        let number = Self::number(id, words, is_on.into(), [0.0, 1.0], 1.0);
+    pub fn switch(id: ParameterId, label: &'static str, is_on: bool) -> Self {
+        let number = Self::number(id, label, is_on.into(), [0.0, 1.0], 1.0);
         Self { kind: ParameterKind::Switch, ..number }
     }
 

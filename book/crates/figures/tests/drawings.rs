@@ -78,7 +78,7 @@ fn spread_values(figure: &Figure, seed: usize) -> ParameterValues {
             let fraction = ((k + attempt * 97 + seed * 31) as f64 * golden_ratio).fract();
             (parameter.id, min + fraction * (max - min))
         });
-        figure.snap_if_allowed(&values.collect())
+        figure.nearest_allowed_values(&values.collect())
     });
     attempts.next().expect("allowed values")
 }
@@ -136,7 +136,7 @@ fn values_at_limits(figure: &Figure) -> Vec<ParameterValues> {
         }
         all.push(together);
     }
-    all.into_iter().filter_map(|values| figure.snap_if_allowed(&values)).collect()
+    all.into_iter().filter_map(|values| figure.nearest_allowed_values(&values)).collect()
 }
 
 #[test]
@@ -167,7 +167,7 @@ fn handle_lines(figure: &Figure, values: &ParameterValues) -> String {
         let position = (handle.locate)(values).map(DVec2::round);
         let dragged = figure.drag_handle(values, handle, dvec2(300.0, 120.0));
         let dragged = dragged.map(|new| [new[handle.horizontal], new[handle.vertical]]);
-        format!("{}: {position:?}, dragged: {dragged:?}\n", handle.words)
+        format!("{}: {position:?}, dragged: {dragged:?}\n", handle.label)
     });
     format!("{}\n{}", figure.name, lines.collect::<String>())
 }

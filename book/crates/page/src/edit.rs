@@ -13,7 +13,7 @@ use image::RgbImage;
 use std::ops::{Range, RangeInclusive};
 
 /// The picture widths that a page may ask for.
-const COLUMNS: RangeInclusive<u32> = 16..=FULL_SIZE;
+const ALLOWED_COLUMNS: RangeInclusive<u32> = 16..=FULL_SIZE;
 
 /// The width of the book's pictures.
 const FULL_SIZE: u32 = PICTURE_COLUMNS;
@@ -24,7 +24,7 @@ const MAX_OPERATIONS: u64 = 4_000_000;
 
 /// The distance between the pixels that are tried in the picture of a later step, both across and
 /// down.
-const DISTANCE: u32 = 12;
+const PIXEL_SPACING: u32 = 12;
 
 /// Draws a step with the reader's lines in it. Replies with the picture and the names that the
 /// first line may use, or with what is wrong with one of the lines. For a picture at full size, the
@@ -42,7 +42,7 @@ struct Edit<'a> {
 impl<'a> Edit<'a> {
     /// Finds the places of the lines.
     fn new(columns: u32, lines: &'a [EditedLine]) -> Result<Self, RequestError> {
-        if !COLUMNS.contains(&columns) {
+        if !ALLOWED_COLUMNS.contains(&columns) {
             return Err(RequestError::Columns(columns));
         }
         let places = all_listed_places();
@@ -163,9 +163,9 @@ fn describe_later_steps(edit: &Edit) -> Option<String> {
                  ball, not at which t.";
     // Per pixel, this is eight times what a picture at full size may take, because a later step may
     // evaluate the lines for each of its nine balls.
-    let operations = 8 * MAX_OPERATIONS / u64::from(DISTANCE * DISTANCE);
+    let operations = 8 * MAX_OPERATIONS / u64::from(PIXEL_SPACING * PIXEL_SPACING);
     let draw = |step: Step, lines: &[Expression]| {
-        draw_some_pixels(step, lines, DISTANCE, FULL_SIZE, operations)
+        draw_some_pixels(step, lines, PIXEL_SPACING, FULL_SIZE, operations)
     };
     for step in [Step::Nearest, Step::Diffuse, Step::Phong] {
         let number = step.number();
@@ -183,7 +183,7 @@ fn describe_later_steps(edit: &Edit) -> Option<String> {
             return Some(format!("{blind} The picture of step {number} would show it."));
         }
     }
-    let count = FULL_SIZE.div_ceil(DISTANCE) * (FULL_SIZE * 9 / 16).div_ceil(DISTANCE);
+    let count = FULL_SIZE.div_ceil(PIXEL_SPACING) * (FULL_SIZE * 9 / 16).div_ceil(PIXEL_SPACING);
     let count = format!("{},{:03}", count / 1000, count % 1000);
     Some(format!(
         "Not one pixel differs from the book's picture. In each of steps 3 to 5, {count} pixels were \

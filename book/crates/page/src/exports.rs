@@ -6,15 +6,15 @@ use figures::Reply;
 use std::cell::RefCell;
 
 thread_local! {
-    static ROOMS: RefCell<[Vec<u8>; 2]> = const { RefCell::new([vec![], vec![]]) };
+    static INPUTS: RefCell<[Vec<u8>; 2]> = const { RefCell::new([vec![], vec![]]) };
     static REPLY: RefCell<(Reply, [usize; 4])> = RefCell::default();
 }
 
 /// Makes room for this many bytes, and returns its address. Index 0 is for the next request, and
 /// index 1 for the file that goes with it.
 #[unsafe(no_mangle)]
-extern "C" fn make_room(index: usize, length: usize) -> *mut u8 {
-    ROOMS.with_borrow_mut(|rooms| {
+extern "C" fn allocate_input(index: usize, length: usize) -> *mut u8 {
+    INPUTS.with_borrow_mut(|rooms| {
         rooms[index] = vec![0; length];
         rooms[index].as_mut_ptr()
     })
@@ -24,7 +24,7 @@ extern "C" fn make_room(index: usize, length: usize) -> *mut u8 {
 /// length in bytes of the reply's text, then of its pixels.
 #[unsafe(no_mangle)]
 extern "C" fn make_reply() -> *const usize {
-    let [request, file] = ROOMS.take();
+    let [request, file] = INPUTS.take();
     let reply = reply(str::from_utf8(&request).unwrap_or_default(), &file);
     let [text, pixels] = [reply.text.as_bytes(), &reply.pixels];
     let ranges = [text.as_ptr() as usize, text.len(), pixels.as_ptr() as usize, pixels.len()];

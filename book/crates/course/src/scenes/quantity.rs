@@ -49,9 +49,9 @@ pub struct TypedRange {
 pub struct Scalar {
     /// The symbol, or an empty string.
     pub symbol: &'static str,
-    /// The name in words, which is the label of its control. After the owner's name, it is also the
-    /// name of the parameter in the page's address.
-    pub words: &'static str,
+    /// The name that readers see, which is the label of its control. After the owner's name, it is
+    /// also the name of the parameter in the page's address.
+    pub label: &'static str,
     /// The unit, such as °, or an empty string.
     pub unit: &'static str,
     /// The smallest and the largest value that a page offers, except for the ground.
@@ -94,8 +94,8 @@ impl Component {
     pub const OF_COLOUR: [Self; 3] = [Self::Red, Self::Green, Self::Blue];
 }
 
-/// The index of the ground among the objects of the steps, and so among those of every scene that is
-/// made from them.
+/// The index of the ground among the objects of the steps, and so among those of every scene that
+/// is made from them.
 pub const GROUND: usize = 1;
 
 /// Which property of an [`OwnScene`] a number belongs to.
@@ -323,13 +323,13 @@ const HIGHLIGHT_COLOUR: TypedRange =
 const fn scalar(
     property: Property,
     symbol: &'static str,
-    words: &'static str,
+    label: &'static str,
     range: [f64; 2],
     steps_per_unit: f64,
 ) -> Scalar {
     Scalar {
         symbol,
-        words,
+        label,
         unit: "",
         range,
         ground_range: None,
@@ -420,7 +420,7 @@ mod tests {
             let index = all_scalars().position(|row| std::ptr::eq(row, scalar)).expect("a row");
             expected[index] = value;
             let values: Vec<_> = all_scalars().map(|scalar| scalar.get(&own, 1)).collect();
-            assert_eq!(values, expected, "{}", scalar.words);
+            assert_eq!(values, expected, "{}", scalar.label);
         }
     }
 

@@ -46,7 +46,7 @@ pub fn figure() -> Figure {
             Handle::new(V.0, [V.x(), V.y()], |values| Some(tip(values)), v_at),
             Handle::of_parameter(distance_words, DISTANCE, point, distance_at),
         ],
-        is_allowed: |values| {
+        has_something_to_show: |values| {
             let is_long = ray_and_t(values).0.direction.length() >= 1.0;
             is_long && is_in_drawing(position(values, 0.0)) && is_in_drawing(tip(values))
         },

@@ -26,7 +26,7 @@ const CONTENT: Content = Content::Drawing {
 /// its line.
 pub fn figure() -> Figure {
     Figure {
-        followed: Some("step03_nearest"),
+        follows: Some("step03_nearest"),
         parameters: step03::figure().parameters,
         ..Figure::new("scene-from-above", CONTENT)
     }

@@ -30,7 +30,7 @@ pub fn figure() -> Figure {
             },
             colours: colours(),
         }),
-        is_allowed: |values| {
+        has_something_to_show: |values| {
             let own = own_scene(values);
             own.position != own.target
         },

@@ -26,25 +26,25 @@ pub enum Target {
 pub static PARAMETERS: LazyLock<Vec<(Target, Parameter)>> = LazyLock::new(|| {
     let own = largest_scene();
     let mut parameters = vec![];
-    parameters.extend(scalars(&own, Owner::Camera, 0, "camera"));
-    parameters.extend(scalars(&own, Owner::Scene, 0, "ambient light"));
+    parameters.extend(number_parameters(&own, Owner::Camera, 0, "camera"));
+    parameters.extend(number_parameters(&own, Owner::Scene, 0, "ambient light"));
     parameters.push((Target::Mirrors, Parameter::switch(MIRRORS, "shadows and mirrors", false)));
     for (k, object) in own.scene.objects.iter().enumerate() {
         let id = ParameterId::of(object.name, "in the scene");
         let presence = Parameter::switch(id, "in the scene", k < OBJECTS.len());
         parameters.push((Target::Presence(Owner::Object, k), presence));
-        parameters.extend(scalars(&own, Owner::Object, k, object.name));
+        parameters.extend(number_parameters(&own, Owner::Object, k, object.name));
     }
     for (k, name) in ["warm light", "cool light", "third light"].into_iter().enumerate() {
         let presence = Parameter::switch(ParameterId::of(name, "on"), "on", k < 2);
         parameters.push((Target::Presence(Owner::Light, k), presence));
-        parameters.extend(scalars(&own, Owner::Light, k, name));
+        parameters.extend(number_parameters(&own, Owner::Light, k, name));
     }
     parameters
 });
 
 /// The parameters for the numbers of the owner called `name`, which has index `k`.
-fn scalars(
+fn number_parameters(
     own: &OwnScene,
     owner: Owner,
     k: usize,
@@ -52,9 +52,9 @@ fn scalars(
 ) -> impl Iterator<Item = (Target, Parameter)> {
     let quantities = QUANTITIES.iter().filter(move |quantity| quantity.owner == owner);
     quantities.flat_map(|quantity| quantity.scalars).map(move |scalar| {
-        let id = ParameterId::of(name, scalar.words);
+        let id = ParameterId::of(name, scalar.label);
         let (range, default) = (scalar.range(k), scalar.get(own, k));
-        let parameter = Parameter::number(id, scalar.words, default, range, scalar.steps_per_unit)
+        let parameter = Parameter::number(id, scalar.label, default, range, scalar.steps_per_unit)
             .with_symbol(scalar.symbol)
             .with_unit(scalar.unit);
         let axis = match scalar.component {

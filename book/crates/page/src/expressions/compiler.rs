@@ -1,8 +1,8 @@
 //! Compiles a line. Whatever Rust would refuse is refused.
 
-use crate::expressions::evaluation::{Expression, Interruption, Run};
+use crate::expressions::evaluation::{Computation, Expression, Interruption};
 use crate::expressions::functions::{Function, find_function, remainder_operations};
-use crate::expressions::operation::{Operation, range_of, split_operation, write_tokens};
+use crate::expressions::operation::{Operation, range_of, split_operation, tokens_without_spaces};
 use crate::expressions::part::{Code, Part, compile_literal};
 use crate::expressions::refusal::{Fault, Refusal, refuse};
 use crate::expressions::refused_call::{Call, explain_mismatch, is_method};
@@ -31,7 +31,7 @@ pub fn parse_expression(place: &Place, text: &str) -> Result<Expression, Refusal
         compiler.names.push((name.split_whitespace().collect(), code));
     }
     let part = compiler.compile_statements(&statements, 0..text.len())?;
-    if let Some(fault) = find_misfit(place, text, &statements, &part) {
+    if let Some(fault) = find_place_fault(place, text, &statements, &part) {
         return refuse(part.range, fault);
     }
     Ok(Expression {
@@ -39,23 +39,23 @@ pub fn parse_expression(place: &Place, text: &str) -> Result<Expression, Refusal
         place_name: place.name,
         step: place.step(),
         length: text.len(),
-        run: part.code.run,
+        computation: part.code.computation,
     })
 }
 
 /// Explains why a line doesn't fit its place, although it is a valid expression on its own.
-fn find_misfit(place: &Place, text: &str, statements: &[Stmt], part: &Part) -> Option<Fault> {
+fn find_place_fault(place: &Place, text: &str, statements: &[Stmt], part: &Part) -> Option<Fault> {
     let has_note = |note| place.notes.contains(&note);
     let [.., Stmt::Expr(syntax, None)] = statements else { return Some(Fault::Block) };
     let is_block = matches!(syntax, Expr::If(_) | Expr::Block(_));
-    let tokens = write_tokens(syntax);
+    let tokens = tokens_without_spaces(syntax);
     let is_or = matches!(syntax, Expr::Binary(ExprBinary { op: BinOp::Or(_), .. }));
     if !is_block && ["{", "if"].iter().any(|start| tokens.starts_with(start)) {
         Some(Fault::BlockAtStart)
     } else if is_or && has_note(PlaceNote::AfterAnd) {
         Some(Fault::OrAfterAnd)
-    } else if part.code.is_open && has_note(PlaceNote::MethodFollows) {
-        Some(Fault::OpenValue)
+    } else if part.code.has_open_type && has_note(PlaceNote::MethodFollows) {
+        Some(Fault::UntypedValue)
     } else if part.code.value_type != place.value_type {
         Some(explain_mismatch("This has to be", part, text, place.value_type))
     } else {
@@ -66,7 +66,7 @@ fn find_misfit(place: &Place, text: &str, statements: &[Stmt], part: &Part) -> O
 impl Compiler<'_> {
     /// Compiles any part of the line.
     pub fn compile_expression(&mut self, syntax: &Expr) -> Result<Part, Refusal> {
-        let name = write_tokens(syntax);
+        let name = tokens_without_spaces(syntax);
         let code = match self.names.iter().find(|(known, _)| *known == name) {
             Some((_, code)) => code.clone(),
             None => self.compile_unnamed(syntax)?,
@@ -84,7 +84,7 @@ impl Compiler<'_> {
             }
             Expr::If(branches) => return self.compile_if(branches),
             Expr::Call(call) if call.args.is_empty() => {
-                let name = write_tokens(&call.func);
+                let name = tokens_without_spaces(&call.func);
                 let name_range = range_of(&call.func);
                 let call = Call { syntax, name: &name, name_range, parts: &[] };
                 return Err(self.explain_refused_call(call));
@@ -106,13 +106,14 @@ impl Compiler<'_> {
             }
             return self.compile_call(Call { syntax, name: &name, name_range, parts: &parts });
         };
-        if receiver.code.is_open && name != "::into" {
+        if receiver.code.has_open_type && name != "::into" {
             let range = receiver.range.clone();
             let literal = &self.text[range.clone()];
             let is_literal = literal.starts_with(|c: char| c.is_ascii_digit());
             let is_literal = is_literal && matches!(syn::parse_str(literal), Ok(Expr::Lit(_)));
             let cure = format!("{literal}_f64");
-            let fault = if is_literal { Fault::OpenLiteral { cure } } else { Fault::OpenReceiver };
+            let fault =
+                if is_literal { Fault::UntypedLiteral { cure } } else { Fault::UntypedReceiver };
             return refuse(range, fault);
         }
         let path = receiver.code.value_type.name().to_owned() + &name;
@@ -126,12 +127,12 @@ impl Compiler<'_> {
         }
     }
 
-    /// Code that reads the next free slot, for a variable, or a `let` whose value differs from pixel
-    /// to pixel.
-    pub fn new_slot(&self, value_type: ValueType, is_open: bool) -> Code {
+    /// Code that reads the next free slot, for a variable, or a `let` whose value differs from
+    /// pixel to pixel.
+    pub fn new_slot(&self, value_type: ValueType, has_open_type: bool) -> Code {
         let is_slot = |code: &Code| code.constant_value().is_none();
         let slot = self.names.iter().filter(|(_, code)| is_slot(code)).count();
-        Code { run: Run::Slot(slot), value_type, is_open }
+        Code { computation: Computation::Slot(slot), value_type, has_open_type }
     }
 
     /// Compiles a call to a function, an operator or a cast.
@@ -148,58 +149,62 @@ impl Compiler<'_> {
             return refuse(name_range, Fault::NoResult);
         }
         let is_operator = !name.contains(char::is_alphabetic);
-        let is_open = is_operator && parts.iter().all(|part| part.code.is_open);
+        let has_open_type = is_operator && parts.iter().all(|part| part.code.has_open_type);
         let constants: Option<Vec<_>> =
             parts.iter().map(|part| part.code.constant_value()).collect();
         if let Some(values) = constants {
             return match (function.apply)(&values) {
-                Some(value) => Ok(Code::constant(value, is_open)),
+                Some(value) => Ok(Code::constant(value, has_open_type)),
                 None => refuse(name_range, Fault::NoResult),
             };
         }
-        let runs: Vec<_> = parts.iter().map(|part| part.code.run.clone()).collect();
-        let run = call_run(function, &runs, name_range);
-        Ok(Code { run, value_type: function.result, is_open })
+        let computations: Vec<_> = parts.iter().map(|part| part.code.computation.clone()).collect();
+        let computation = compile_function_call(function, &computations, name_range);
+        Ok(Code { computation, value_type: function.result, has_open_type })
     }
 }
 
-/// Makes a run that calls a function with the values that these runs compute.
-fn call_run(function: &'static Function, runs: &[Run], name_range: Range<usize>) -> Run {
-    match (function.name, runs) {
+/// Makes a computation that calls a function with the results of these computations.
+fn compile_function_call(
+    function: &'static Function,
+    computations: &[Computation],
+    name_range: Range<usize>,
+) -> Computation {
+    match (function.name, computations) {
         ("&&", [first, second]) => short_circuit(first.clone(), second.clone(), false),
         ("||", [first, second]) => short_circuit(first.clone(), second.clone(), true),
-        (_, [a]) => join_runs(function, [a.clone()], name_range),
-        (_, [a, b]) => join_runs(function, [a.clone(), b.clone()], name_range),
-        (_, [a, b, c]) => join_runs(function, [a.clone(), b.clone(), c.clone()], name_range),
+        (_, [a]) => call_with_values(function, [a.clone()], name_range),
+        (_, [a, b]) => call_with_values(function, [a.clone(), b.clone()], name_range),
+        (_, [a, b, c]) => call_with_values(function, [a.clone(), b.clone(), c.clone()], name_range),
         // Unreachable: without parameters it would be a constant, and no function has more than
         // three.
-        _ => join_runs(function, [], name_range),
+        _ => call_with_values(function, [], name_range),
     }
 }
 
-/// Makes the run for `&&` or `||`. If the value of `first` is `decisive`, that is the result, and
-/// `second` isn't evaluated. Otherwise, the value of `second` is the result.
-fn short_circuit(first: Run, second: Run, decisive: bool) -> Run {
-    Run::Call(Rc::new(move |evaluation| {
+/// Makes the computation for `&&` or `||`. If the value of `first` is `decisive`, that is the
+/// result, and `second` isn't evaluated. Otherwise, the value of `second` is the result.
+fn short_circuit(first: Computation, second: Computation, decisive: bool) -> Computation {
+    Computation::Closure(Rc::new(move |evaluation| {
         evaluation.spend(1)?;
         let value = first.evaluate(evaluation)?;
         if value == Value::Bool(decisive) { Ok(value) } else { second.evaluate(evaluation) }
     }))
 }
 
-/// Makes a run that calls a function of N arguments with the values that these runs compute. If the
-/// function has no result, the error points to its name, at `name_range`.
-fn join_runs<const N: usize>(
+/// Makes a computation that calls a function of N arguments with the results of these computations.
+/// If the function has no result, the error points to its name, at `name_range`.
+fn call_with_values<const N: usize>(
     function: &'static Function,
-    runs: [Run; N],
+    computations: [Computation; N],
     name_range: Range<usize>,
-) -> Run {
+) -> Computation {
     let apply = function.apply;
     let is_remainder = ["%", "f64::rem_euclid"].contains(&function.name);
-    Run::Call(Rc::new(move |evaluation| {
+    Computation::Closure(Rc::new(move |evaluation| {
         let mut values = [Value::Bool(false); N];
-        for (value, run) in values.iter_mut().zip(&runs) {
-            *value = run.evaluate(evaluation)?;
+        for (value, computation) in values.iter_mut().zip(&computations) {
+            *value = computation.evaluate(evaluation)?;
         }
         evaluation.spend(if is_remainder { remainder_operations(&values) } else { 1 })?;
         apply(&values).ok_or_else(|| Interruption::NoResult(name_range.clone()))
@@ -211,7 +216,7 @@ mod tests {
     use super::*;
 
     /// Compiles a line at a place of type `value_type`, where `x` is an f64 and `k` is an i32.
-    fn compile(value_type: ValueType, text: &str) -> Result<Run, Fault> {
+    fn compile(value_type: ValueType, text: &str) -> Result<Computation, Fault> {
         let place = Place {
             index: 0,
             name: "",
@@ -223,19 +228,20 @@ mod tests {
             notes: vec![],
         };
         let expression = parse_expression(&place, text).map_err(|refusal| refusal.fault)?;
-        Ok(expression.run)
+        Ok(expression.computation)
     }
 
     /// The value of a line where `x` is 0.5 and `k` is 0, or None if the program would panic.
     fn evaluate(value_type: ValueType, text: &str) -> Option<Value> {
         let mut evaluation = crate::expressions::evaluation::Evaluation::new(1000);
-        let run = compile(value_type, text).expect("a line");
-        evaluation.evaluate(&run, &[Value::F64(0.5), Value::I32(0)]).ok()
+        let computation = compile(value_type, text).expect("a line");
+        evaluation.evaluate(&computation, &[Value::F64(0.5), Value::I32(0)]).ok()
     }
 
     #[test]
     fn what_is_the_same_at_each_pixel_is_computed_once() {
-        let is_constant = |text| matches!(compile(ValueType::F64, text), Ok(Run::Constant(_)));
+        let is_constant =
+            |text| matches!(compile(ValueType::F64, text), Ok(Computation::Constant(_)));
         assert!(is_constant("2.0 * (1.0 + f64::from(3))"));
         assert!(is_constant("{ let y = 2.0_f64; y.sqrt() }"));
         assert!(is_constant("if true { 1.0 } else { x }"));

@@ -26,11 +26,12 @@ pub struct LineRefusal {
 /// The state that the copied steps use while drawing.
 struct Context {
     /// A bit for each place, at its index in places.txt: whether the reader has edited it. The
-    /// build script makes sure that there are enough bits. In step 5, a single ray consults more than sixty places. With a list instead of these bits, a
-    /// picture on a page took twice as long.
+    /// build script makes sure that there are enough bits. In step 5, a single ray consults more
+    /// than sixty places. With a list instead of these bits, a picture on a page took twice as
+    /// long.
     edited: Cell<u64>,
     /// The distance between pixels that are drawn, both across and down. At 1, all are drawn.
-    distance: Cell<u32>,
+    pixel_spacing: Cell<u32>,
     picture: RefCell<EditedPicture>,
 }
 
@@ -50,7 +51,7 @@ thread_local! {
     static CONTEXT: Context = const {
         Context {
             edited: Cell::new(0),
-            distance: Cell::new(1),
+            pixel_spacing: Cell::new(1),
             picture: RefCell::new(EditedPicture::new(vec![], 0)),
         }
     };
@@ -68,7 +69,7 @@ impl EditedPicture {
             return None;
         }
         let line = self.lines.iter().find(|line| line.place_index == place_index)?;
-        let interruption = match self.evaluation.evaluate(&line.run, variables) {
+        let interruption = match self.evaluation.evaluate(&line.computation, variables) {
             Ok(value) => return Some(value),
             Err(interruption) => interruption,
         };
@@ -128,9 +129,9 @@ pub fn stop_unless(condition: bool, sentence: &'static str) {
 /// function of the same name, which uses all processors: our context belongs to one thread.
 pub fn draw_pixels(camera: &Camera, pixel: impl Fn(f64, f64) -> Rgb<u8> + Sync) -> RgbImage {
     let mut picture = RgbImage::new(camera.h_res, camera.v_res);
-    let distance = CONTEXT.with(|context| context.distance.get());
+    let pixel_spacing = CONTEXT.with(|context| context.pixel_spacing.get());
     for (i, j, rgb) in picture.enumerate_pixels_mut() {
-        if i % distance != 0 || j % distance != 0 {
+        if i % pixel_spacing != 0 || j % pixel_spacing != 0 {
             continue;
         }
         *rgb = pixel(i.into(), j.into());
@@ -153,18 +154,18 @@ pub fn draw_edited(
     draw_step(step, lines, columns, operations)
 }
 
-/// Draws some pixels of a step's picture, at this distance from each other both across and down.
-/// The others stay black.
+/// Draws some pixels of a step's picture, at this distance from each other both across and
+/// down. The others stay black.
 pub fn draw_some_pixels(
     step: Step,
     lines: &[Expression],
-    distance: u32,
+    pixel_spacing: u32,
     columns: u32,
     operations: u64,
 ) -> Result<RgbImage, LineRefusal> {
-    CONTEXT.with(|context| context.distance.set(distance));
+    CONTEXT.with(|context| context.pixel_spacing.set(pixel_spacing));
     let picture = draw_step(step, lines, columns, operations);
-    CONTEXT.with(|context| context.distance.set(1));
+    CONTEXT.with(|context| context.pixel_spacing.set(1));
     picture
 }
 

@@ -14,38 +14,38 @@ pub struct Expression {
     pub(super) step: Step,
     /// The length of the line, in bytes.
     pub(super) length: usize,
-    pub(super) run: Run,
+    pub(super) computation: Computation,
 }
 
 impl Expression {
     /// Computes the line's value from those of its variables. Returns None if the reader's program
     /// would panic.
     pub fn evaluate(&self, variables: &[Value]) -> Option<Value> {
-        Evaluation::new(u64::MAX).evaluate(&self.run, variables).ok()
+        Evaluation::new(u64::MAX).evaluate(&self.computation, variables).ok()
     }
 }
 
 /// How to compute the value of a part of a line, such as an operand.
 #[derive(Clone)]
-pub enum Run {
+pub enum Computation {
     /// The value is the same for every pixel.
     Constant(Value),
     /// The value is read from this slot.
     Slot(usize),
     /// The value is computed.
-    Call(Rc<Call>),
+    Closure(Rc<ValueClosure>),
 }
 
 /// A closure that computes the value of an operation.
-pub type Call = dyn Fn(&mut Evaluation) -> Result<Value, Interruption>;
+pub type ValueClosure = dyn Fn(&mut Evaluation) -> Result<Value, Interruption>;
 
-impl Run {
+impl Computation {
     #[inline]
     pub fn evaluate(&self, evaluation: &mut Evaluation) -> Result<Value, Interruption> {
         match self {
-            Run::Constant(value) => Ok(*value),
-            Run::Slot(slot) => Ok(evaluation.slots[*slot]),
-            Run::Call(call) => call(evaluation),
+            Computation::Constant(value) => Ok(*value),
+            Computation::Slot(slot) => Ok(evaluation.slots[*slot]),
+            Computation::Closure(closure) => closure(evaluation),
         }
     }
 }
@@ -74,11 +74,15 @@ impl Evaluation {
     }
 
     /// Computes a line's value from those of its variables.
-    pub fn evaluate(&mut self, run: &Run, variables: &[Value]) -> Result<Value, Interruption> {
+    pub fn evaluate(
+        &mut self,
+        computation: &Computation,
+        variables: &[Value],
+    ) -> Result<Value, Interruption> {
         self.spend(1)?;
         self.slots.clear();
         self.slots.extend_from_slice(variables);
-        run.evaluate(self)
+        computation.evaluate(self)
     }
 
     /// Spends some of the picture's operations. A function, a method, an operator or a branch costs
@@ -110,9 +114,9 @@ mod tests {
     fn each_evaluation_has_its_own_variables() {
         let mut evaluation = Evaluation::new(2);
         for number in [1.0, 2.0] {
-            let value = evaluation.evaluate(&Run::Slot(0), &[Value::F64(number)]);
+            let value = evaluation.evaluate(&Computation::Slot(0), &[Value::F64(number)]);
             assert_eq!(value.ok(), Some(Value::F64(number)));
         }
-        assert!(evaluation.evaluate(&Run::Slot(0), &[Value::F64(3.0)]).is_err());
+        assert!(evaluation.evaluate(&Computation::Slot(0), &[Value::F64(3.0)]).is_err());
     }
 }

@@ -23,7 +23,7 @@ pub fn range_of(syntax: &impl Spanned) -> Range<usize> {
 }
 
 /// Writes a part of the line without whitespace or comments.
-pub fn write_tokens(syntax: &impl ToTokens) -> String {
+pub fn tokens_without_spaces(syntax: &impl ToTokens) -> String {
     syntax.to_token_stream().to_string().split_whitespace().collect()
 }
 
@@ -36,38 +36,38 @@ pub fn split_operation(syntax: &Expr) -> Result<Operation<'_>, Refusal> {
             if let UnOp::Deref(_) = unary.op {
                 return refuse(name_range, Fault::Dereference);
             }
-            operation(write_tokens(&unary.op), vec![&*unary.expr], name_range)
+            operation(tokens_without_spaces(&unary.op), vec![&*unary.expr], name_range)
         }
         Expr::Binary(binary) => {
             let operands = vec![&*binary.left, &*binary.right];
-            operation(write_tokens(&binary.op), operands, range_of(&binary.op))
+            operation(tokens_without_spaces(&binary.op), operands, range_of(&binary.op))
         }
         Expr::Cast(cast) => {
-            let name = format!("as {}", write_tokens(&cast.ty));
+            let name = format!("as {}", tokens_without_spaces(&cast.ty));
             operation(name, vec![&*cast.expr], range_of(&cast.as_token))
         }
         Expr::Array(array) => {
             operation("[…]".to_owned(), array.elems.iter().collect(), range_of(array))
         }
         Expr::Index(index) => {
-            let name = format!("[{}]", write_tokens(&index.index));
+            let name = format!("[{}]", tokens_without_spaces(&index.index));
             operation(name, vec![&*index.expr], range_of(&index.bracket_token.span.join()))
         }
         Expr::Field(field) => {
-            let name = format!(".{}", write_tokens(&field.member));
+            let name = format!(".{}", tokens_without_spaces(&field.member));
             let name_range = range_of(&field.dot_token).start..range_of(field).end;
             operation(name, vec![&*field.base], name_range)
         }
         Expr::MethodCall(call) => {
-            let name = format!("::{}{}", call.method, write_tokens(&call.turbofish));
+            let name = format!("::{}{}", call.method, tokens_without_spaces(&call.turbofish));
             let operands = once(&*call.receiver).chain(&call.args).collect();
             let name_range = range_of(&call.dot_token).start..range_of(&call.method).end;
             operation(name, operands, name_range)
         }
-        Expr::Path(path) => operation(write_tokens(path), vec![], range_of(path)),
+        Expr::Path(path) => operation(tokens_without_spaces(path), vec![], range_of(path)),
         Expr::Call(call) if !call.args.is_empty() => {
             let operands = call.args.iter().collect();
-            operation(write_tokens(&call.func), operands, range_of(&call.func))
+            operation(tokens_without_spaces(&call.func), operands, range_of(&call.func))
         }
         Expr::Reference(reference) => {
             return refuse(range_of(&reference.and_token), Fault::Reference);
@@ -89,7 +89,7 @@ mod tests {
             ("a -\n    b // c", "a-b"),
         ] {
             let syntax: Expr = syn::parse_str(text).expect(text);
-            assert_eq!(write_tokens(&syntax), tokens, "{text}");
+            assert_eq!(tokens_without_spaces(&syntax), tokens, "{text}");
         }
     }
 }

@@ -1,6 +1,6 @@
 //! The compiled parts of a line.
 
-use crate::expressions::evaluation::Run;
+use crate::expressions::evaluation::Computation;
 use crate::expressions::operation::range_of;
 use crate::expressions::refusal::{Fault, Refusal, refuse};
 use crate::expressions::value::Value;
@@ -19,22 +19,26 @@ pub struct Part {
 /// What a part of a line is compiled to.
 #[derive(Clone)]
 pub struct Code {
-    pub run: Run,
+    pub computation: Computation,
     pub value_type: ValueType,
     /// Whether it comes from a literal such as 2.0, or from such literals alone, so that Rust
     /// doesn't know its type yet. A method can't be called on such a value.
-    pub is_open: bool,
+    pub has_open_type: bool,
 }
 
 impl Code {
     /// Code that has this value for every pixel.
-    pub fn constant(value: Value, is_open: bool) -> Self {
-        Self { run: Run::Constant(value), value_type: value.value_type(), is_open }
+    pub fn constant(value: Value, has_open_type: bool) -> Self {
+        Self {
+            computation: Computation::Constant(value),
+            value_type: value.value_type(),
+            has_open_type,
+        }
     }
 
     /// The value, if it is the same for every pixel.
     pub fn constant_value(&self) -> Option<Value> {
-        if let Run::Constant(value) = self.run { Some(value) } else { None }
+        if let Computation::Constant(value) = self.computation { Some(value) } else { None }
     }
 }
 
@@ -88,7 +92,7 @@ mod tests {
     fn parse(text: &str) -> Result<(Value, bool), Fault> {
         let literal = syn::parse_str(text).expect("a literal");
         let code = compile_literal(&literal).map_err(|refusal| refusal.fault)?;
-        Ok((code.constant_value().expect("a constant"), code.is_open))
+        Ok((code.constant_value().expect("a constant"), code.has_open_type))
     }
 
     #[test]

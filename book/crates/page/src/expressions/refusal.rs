@@ -109,11 +109,11 @@ pub enum Fault {
     #[error("The numbers here are f64 and i32. Write {cure}.")]
     Suffix { cure: String },
     #[error("Rust can't tell yet which kind of number this is: write _f64 after it.")]
-    OpenValue,
+    UntypedValue,
     #[error("Rust can't tell yet which kind of number this is: write {cure}.")]
-    OpenLiteral { cure: String },
+    UntypedLiteral { cure: String },
     #[error("Rust can't tell yet which kind of number this is: write 2.0_f64 for 2.0.")]
-    OpenReceiver,
+    UntypedReceiver,
     #[error("Write {cure}: Rust doesn't mix whole numbers with others.")]
     WholeNumber { cure: String },
     #[error("{subject} {}, not {}.{cure}", describe_type(*.wanted), describe_type(*.actual))]
@@ -186,7 +186,7 @@ impl Fault {
             | Fault::MissingParentheses { cure }
             | Fault::NearName { near: cure, .. }
             | Fault::NoFunction { cure }
-            | Fault::OpenLiteral { cure }
+            | Fault::UntypedLiteral { cure }
             | Fault::Suffix { cure }
             | Fault::WholeNumber { cure } => cure,
             Fault::Reference | Fault::Semicolon => "",

@@ -3,7 +3,7 @@
 use crate::expressions::compiler::Compiler;
 use crate::expressions::functions::{Function, find_function, functions, is_known};
 use crate::expressions::near_name::{find_near_name, synonyms};
-use crate::expressions::operation::{range_of, write_tokens};
+use crate::expressions::operation::{range_of, tokens_without_spaces};
 use crate::expressions::part::Part;
 use crate::expressions::refusal::{Fault, Refusal};
 use crate::expressions::statements::is_assignment;
@@ -276,8 +276,9 @@ impl Compiler<'_> {
     /// that there are. If the line calls the name as a function, the arguments are in `parts`.
     fn explain_unknown_name(&self, Call { syntax, name, name_range, parts }: Call) -> Refusal {
         if let Some(cure) = self.write_as_method(name, parts) {
-            let is_open = parts[0].code.is_open;
-            let fault = if is_open { Fault::Function { cure } } else { Fault::Method { cure } };
+            let has_open_type = parts[0].code.has_open_type;
+            let fault =
+                if has_open_type { Fault::Function { cure } } else { Fault::Method { cure } };
             return Refusal { range: range_of(syntax), fault };
         }
         let fault = match self.find_near_path(name) {
@@ -316,7 +317,7 @@ impl Compiler<'_> {
         };
         let method = method.or(methods.first())?;
         let text = &self.text[first.range.clone()];
-        Some(if first.code.is_open {
+        Some(if first.code.has_open_type {
             // A literal such as 2.0 has no methods, because Rust doesn't know its type yet.
             let comma = if others.is_empty() { "" } else { ", " };
             format!("{value_type}::{method}({text}{comma}{others})")
@@ -333,7 +334,7 @@ impl Compiler<'_> {
         let converted = format!("f64::from({name})");
         let variable = variables().find(|known| *known == converted);
         if let Some(variable) = variable.or_else(|| find_near_name(name, variables())) {
-            return Some(self.write_name(variable));
+            return Some(self.name_as_in_places(variable));
         }
         let is_here = |path: &&str| self.place.has_vectors || !path.starts_with("DVec3");
         let paths = functions().map(|function| function.name).filter(|path| path.contains("::"));
@@ -356,7 +357,7 @@ impl Compiler<'_> {
     }
 
     /// Writes one of the place's names as it is in places.txt, with its spaces.
-    fn write_name(&self, known: &str) -> String {
+    fn name_as_in_places(&self, known: &str) -> String {
         let variables = self.place.variables.iter().map(|(name, _)| *name);
         let mut names =
             variables.filter(|name| name.split_whitespace().collect::<String>() == known);
@@ -379,14 +380,15 @@ impl Compiler<'_> {
             let rest = |(known, _): &(String, _)| known.strip_prefix(name).map(str::to_owned);
             self.names.iter().any(|known| rest(known).is_some_and(|rest| rest.starts_with('.')))
         };
-        let names: Vec<_> = links.iter().map(|link| write_tokens(*link)).collect();
+        let names: Vec<_> = links.iter().map(|link| tokens_without_spaces(*link)).collect();
         let root = names.last()?;
         if !is_start(root) || names.iter().any(|name| is_name(name)) {
             return None;
         }
         let variables = || self.names.iter().map(|(known, _)| &**known);
         let near = links.iter().zip(&names).find_map(|(link, name)| {
-            let near = self.write_name(variables().find(|known| is_near_chain(name, known))?);
+            let near =
+                self.name_as_in_places(variables().find(|known| is_near_chain(name, known))?);
             let range = range_of(*link);
             let name = self.text[range.clone()].to_owned();
             Some((range, Fault::NearName { name, near }))
@@ -397,7 +399,7 @@ impl Compiler<'_> {
             let name = self.text[range.clone()].to_owned();
             let start = format!("{root}.");
             let known = variables().filter(|known| known.starts_with(&start));
-            let known: Vec<_> = known.map(|known| self.write_name(known)).collect();
+            let known: Vec<_> = known.map(|known| self.name_as_in_places(known)).collect();
             let cure = format!("Of {root}, there is:\n{}", known.join(", "));
             let fault = match links[index] {
                 _ if is_start(&names[index]) => Fault::PartOfName { name, cure },
@@ -414,7 +416,7 @@ impl Compiler<'_> {
     /// reader would be told about the argument, although it's the function that can't be used here.
     pub fn refuse_unknown_function(&self, syntax: &Expr) -> Option<Refusal> {
         let Expr::Call(call) = syntax else { return None };
-        let name = write_tokens(&call.func);
+        let name = tokens_without_spaces(&call.func);
         let last = name.rsplit("::").next().unwrap_or_default();
         let is_method =
             |name: &String| ValueType::ALL.into_iter().any(|kind| is_method(kind, name));

@@ -1,8 +1,8 @@
 //! Compiles `if` and `let`, which do more than call a function with their operands.
 
 use crate::expressions::compiler::Compiler;
-use crate::expressions::evaluation::Run;
-use crate::expressions::operation::{range_of, write_tokens};
+use crate::expressions::evaluation::Computation;
+use crate::expressions::operation::{range_of, tokens_without_spaces};
 use crate::expressions::part::{Code, Part};
 use crate::expressions::refusal::{Fault, Refusal, refuse};
 use crate::expressions::refused_call::explain_mismatch;
@@ -15,7 +15,7 @@ use syn::{BinOp, Expr, ExprAssign, ExprIf, Ident, LocalInit, Pat, PatIdent, Stmt
 
 /// Whether an operator such as += changes its left operand.
 pub fn is_assignment(operator: &BinOp) -> bool {
-    let sign = write_tokens(operator);
+    let sign = tokens_without_spaces(operator);
     sign.ends_with('=') && !["==", "!=", "<=", ">="].contains(&&*sign)
 }
 
@@ -52,13 +52,15 @@ impl Compiler<'_> {
             }
         }
         let (condition, then, other) = (condition.code, then.code, other.code);
-        let (value_type, is_open) = (then.value_type, then.is_open && other.is_open);
-        let run = match condition.constant_value() {
-            Some(Value::Bool(true)) => then.run,
-            Some(_) => other.run,
+        let (value_type, has_open_type) =
+            (then.value_type, then.has_open_type && other.has_open_type);
+        let computation = match condition.constant_value() {
+            Some(Value::Bool(true)) => then.computation,
+            Some(_) => other.computation,
             None => {
-                let (condition, then, other) = (condition.run, then.run, other.run);
-                Run::Call(Rc::new(move |evaluation| {
+                let (condition, then, other) =
+                    (condition.computation, then.computation, other.computation);
+                Computation::Closure(Rc::new(move |evaluation| {
                     evaluation.spend(1)?;
                     match condition.evaluate(evaluation)? {
                         Value::Bool(true) => then.evaluate(evaluation),
@@ -67,7 +69,7 @@ impl Compiler<'_> {
                 }))
             }
         };
-        Ok(Code { run, value_type, is_open })
+        Ok(Code { computation, value_type, has_open_type })
     }
 
     /// Compiles the remaining statements of the block at `range`. Their value is that of the last
@@ -107,12 +109,12 @@ impl Compiler<'_> {
         if let Some(type_name) = type_name {
             self.check_type(ident, type_name, &part)?;
         }
-        let is_open = part.code.is_open && type_name.is_none();
-        let value = Code { is_open, ..part.code };
+        let has_open_type = part.code.has_open_type && type_name.is_none();
+        let value = Code { has_open_type, ..part.code };
         let is_constant = value.constant_value().is_some();
         let named_value = match is_constant {
             true => value.clone(),
-            false => self.new_slot(value.value_type, value.is_open),
+            false => self.new_slot(value.value_type, value.has_open_type),
         };
         self.add_name(ident, named_value)?;
         let Part { code, range } = self.compile_statements(rest, range)?;
@@ -120,15 +122,15 @@ impl Compiler<'_> {
         if is_constant {
             return Ok(Part { code, range });
         }
-        let (value, rest) = (value.run, code.run);
-        let run = Run::Call(Rc::new(move |evaluation| {
+        let (value, rest) = (value.computation, code.computation);
+        let computation = Computation::Closure(Rc::new(move |evaluation| {
             let value = value.evaluate(evaluation)?;
             evaluation.slots.push(value);
             let result = rest.evaluate(evaluation);
             evaluation.slots.pop();
             result
         }));
-        Ok(Part { code: Code { run, ..code }, range })
+        Ok(Part { code: Code { computation, ..code }, range })
     }
 
     /// Refuses a value whose type isn't the one that `let` names.
@@ -167,7 +169,7 @@ impl Compiler<'_> {
                 let base = self.compile_expression(&field.base).ok();
                 let is_vector = base.is_some_and(|base| base.code.value_type == ValueType::Vector);
                 let is_number = value.code.value_type == ValueType::F64;
-                let name = write_tokens(&field.member);
+                let name = tokens_without_spaces(&field.member);
                 let is_field = ["x", "y", "z"].contains(&&*name);
                 let base = &self.text[range_of(&field.base)];
                 (is_vector && is_number && is_field)
