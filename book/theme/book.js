@@ -148,7 +148,8 @@ const book = /** @type {any} */ ({ root: document.documentElement });
     {
         const contents = document.getElementById("contents");
         // The section being read is the last whose heading is in the upper half of the window or
-        // above it. The margin is larger than any page, so all headings above count.
+        // above it. The observer's top margin is larger than any page, so every heading above the
+        // window counts, too.
         /** @param {Map<Element, HTMLAnchorElement>} sections each heading with its link */
         const markSection = sections => {
             /** @type {Set<Element>} */
@@ -173,7 +174,7 @@ const book = /** @type {any} */ ({ root: document.documentElement });
         // Some servers leave out the extension of a file's name.
         /** @param {{ pathname: string }} url */
         const name = url => url.pathname.split("/").pop().replace(/\.html$/, "");
-        // A step gets a tick once the reader's picture of it was right.
+        // A step gets a tick once the reader's picture of it has been right.
         book.markRight = () => {
             const right = book.recall("right");
             for (const link of links) {

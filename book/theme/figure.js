@@ -78,12 +78,12 @@
         }
 
         // Makes the stage, which holds the drawing or the picture, and the handles on top of it.
-        // The drawing or picture that the builder has printed stays there until something moves.
+        // The stage shows the builder's printed drawing or picture until something moves.
         makeStage() {
             /** @type {HTMLImageElement} */
             const printed = this.root.querySelector("svg, img");
             const size = ["width", "height"].map(side => Number(printed.getAttribute(side)));
-            // The picture of the cover is printed with more columns than it has while it moves.
+            // The cover's picture is printed with more columns than are drawn while it moves.
             this.leastDivisor = this.about.columns ? this.about.columns / size[0] : 1;
             this.size = size.map(side => side * this.leastDivisor);
             this.stage = book.make("div", { class: "stage" });
@@ -96,7 +96,8 @@
             this.output = printed;
             // Milliseconds that the picture takes with all its columns: a guess, until it is drawn.
             this.wholeTime = 2 * FRAME;
-            // The least of all these times, which says more than one that something has interrupted.
+            // The shortest time so far. It's the most reliable one, because interruptions only make
+            // a time longer.
             this.leastTime = Infinity;
             this.restTimer = 0;
             this.addressTimer = 0;
@@ -117,7 +118,8 @@
             this.readouts = [...document.querySelectorAll(`[data-number^="${name}:"]`)];
             this.conditionalParts = [...document.querySelectorAll(`[data-when^="${name}:"]`)];
             this.code = document.querySelector(`[data-code="${name}"] code`);
-            // The listing may be coloured later, when it comes near, which replaces what was marked.
+            // The listing may be coloured later, when it is about to scroll into view. Colouring
+            // replaces its elements, so the marks on its lines are lost.
             if (this.code) new MutationObserver(() => this.markChangedLines()).observe(this.code, { childList: true });
             this.companion = document.querySelector(`[data-companion="${name}"]`);
         }
@@ -360,7 +362,7 @@
             this.addressTimer = setTimeout(() => writeHash(PIXEL + this.pixel), REST);
         }
 
-        // Goes back to the default pixel, which counts as one that nobody has chosen.
+        // Goes back to the default pixel, as if the reader had chosen none.
         forgetPixel() {
             const { horizontal, vertical } = this.probe.about;
             this.pixel = `${this.defaults[horizontal]},${this.defaults[vertical]}`;
@@ -393,7 +395,7 @@
                 const isDragged = Math.hypot(clientX - pressed.clientX, clientY - pressed.clientY) > 2;
                 const isOnHandle = !isDragged && this.handles.some(({ element }) => element === target);
                 if (target !== this.output && !isOnCross && !isOnHandle) return;
-                this.pixel = ""; // The same pixel may be chosen once more.
+                this.pixel = ""; // So that choosing the same pixel again counts as a choice.
                 if (isOnCross) this.drawNextFrame({ request: "read" });
                 else this.drawNextFrame({ request: "drag", handle: this.probe.index, position: this.positionOfPointer(event) });
                 if (!isOnHandle) this.probe.element.focus({ preventScroll: true });

@@ -301,8 +301,8 @@
         });
     }
 
-    // A click elsewhere deselects a line that still has the book's text. This runs before Undo
-    // selects a line.
+    // A click elsewhere deselects a line that still has the book's text. This listens in the
+    // capture phase, so that it runs before a click on Undo selects a line.
     addEventListener("click", event => {
         if (selected && isBook(selected) && ![tool, selected.closest("figure")].some(part => event.composedPath().includes(part))) {
             keepPlace(/** @type {Element} */ (event.target), deselect);

@@ -35,7 +35,7 @@ test('a typed number that a figure cannot use is explained', async ({ page, home
 });
 
 test('labels of drawings do not overlap, and no handle covers one', async ({ page, home }) => {
-  // On a phone, small labels are larger in proportion.
+  // On a phone, small labels take up more of the drawing, because they shrink less than it does.
   await page.setViewportSize({ width: 390, height: 844 });
   for (const name of new Set(figures.map(([name]) => name))) {
     await open(page, home + name);

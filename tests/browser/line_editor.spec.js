@@ -88,7 +88,7 @@ test('lines of an address, and lines that are let go, stay in the picture, the a
   await other.focus();
   await page.keyboard.press('ControlOrMeta+Z');
   await expect(other).toHaveText('(1.0');
-  await line.click(); // Undo then leads to a different listing.
+  await line.click(); // It's in another listing, so Undo has to jump back.
   await page.getByRole('button', { name: 'Undo' }).click();
   await expect(listing.locator('canvas')).toBeInViewport();
 });

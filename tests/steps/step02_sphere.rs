@@ -1,4 +1,4 @@
-//! Step 2: cases of the quadratic that neither a worked number nor a picture covers.
+//! Step 2: cases of the quadratic that no worked example or picture covers.
 
 use step02_sphere::{Roots, quadratic};
 

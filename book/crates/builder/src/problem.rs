@@ -91,7 +91,7 @@ pub struct OpenAnswer {
 }
 
 impl OpenAnswer {
-    /// Records where bold words begin, if they are the first.
+    /// Records where the first bold words begin, and ignores later ones.
     pub fn record_bold_start(&mut self, position: Position) {
         self.bold_start.get_or_insert(position);
     }

@@ -126,8 +126,8 @@ fn hit_indices(ray: &Ray) -> impl Iterator<Item = usize> {
     (0..OBJECTS.len()).filter(has_hit)
 }
 
-/// Draws the picture without the test of n·l, and returns by how much each pixel changes. Leaves
-/// out the pixels that don't.
+/// Draws the picture without the test of n·l, and returns by how much each changed pixel changes.
+/// Unchanged pixels are left out.
 fn ungated_pixel_differences() -> Vec<usize> {
     let scene = scene();
     let ungated = render(&camera(), 1, |ray| colour_without_gate(&scene, ray));

@@ -70,8 +70,8 @@ impl MatrixNumber {
     }
 }
 
-/// Returns cameras in which somebody may have written a different formula for one number, or for
-/// the height of the view. Each comes with a description of the formula.
+/// Returns the cameras that result from plausible wrong formulas for one number, or for the height
+/// of the view. Each comes with a description of the formula.
 fn cameras_with_wrong_formulas() -> Vec<(Camera, String)> {
     let ours = camera();
     let tan = -ours.matrix.z_axis.x;

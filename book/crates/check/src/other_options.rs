@@ -31,12 +31,11 @@ const ROUNDING: f64 = 1e-6;
 const OBJECT_TOLERANCE: f64 = 64.0;
 const COARSE_COLUMNS: u32 = 64;
 
-/// On the border, we take bytes for sky if the pixel is as blue as the sky. At most one in this
-/// many of them may really belong to an object.
+/// We count a border pixel's bytes as sky if the pixel is as blue as the sky. We accept that up to
+/// one in this many of those bytes belongs to an object instead.
 const BYTES_PER_OBJECT_BYTE: i32 = 20;
 
-/// Angles with four decimals are tried only if the bounds on the angle are less than this far
-/// apart.
+/// Angles with four decimals are tried only if the bounds on the angle differ by less than this.
 const MAX_DEGREES_FOR_FOUR_DECIMALS: f64 = 1.0;
 
 /// Options with which a right program draws the reader's picture.

@@ -20,8 +20,8 @@ pub struct Figure {
     pub handles: Vec<Handle>,
     /// Writes the texts elsewhere on the page that depend on the values.
     pub readouts: fn(&ParameterValues) -> Readouts,
-    /// The number of rows in the table of a pixel's trace, 0 if there is none. [`row_readout`] names
-    /// what a row reads out.
+    /// The number of rows in the table of a pixel's trace, 0 if there is none. [`row_readout`]
+    /// returns the name of a row's readout.
     pub row_count: usize,
     /// Extras for a scene that the reader edits. None for all other figures.
     pub editable_scene: Option<EditableScene>,

@@ -121,7 +121,7 @@ impl Display for MistakeTable<'_> {
 ///
 /// # Panics
 ///
-/// Panics if a line can't be read. Such a table is a fault of ours, and not of any input.
+/// Panics if a line can't be read. That would be a bug in the project. No input can cause it.
 pub fn mistake_table() -> &'static MistakeTable<'static> {
     static EMPTY: MistakeTable = MistakeTable { right_pictures: vec![], rows: vec![] };
     static TABLE: OnceLock<MistakeTable> = OnceLock::new();
@@ -157,7 +157,7 @@ pub fn hashes_of_right_pictures() -> impl Iterator<Item = (&'static str, u64)> {
 /// picture that should have been drawn. A mistake that produces the same picture in several steps
 /// is returned once for each of them.
 ///
-/// The likeliest come first: mistakes that the book shows before all others and, within either
+/// The likeliest come first: the mistakes shown in the book, then all others and, within each group
 /// group, those that change the least code.
 pub fn find_mistakes_with_hash(hash: u64) -> Vec<(&'static Mistake, &'static str)> {
     let mut mistakes_and_names: Vec<_> = mistakes_with_rows()

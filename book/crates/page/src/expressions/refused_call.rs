@@ -104,8 +104,8 @@ fn is_atomic(text: &str) -> bool {
     )
 }
 
-/// Whether two chains such as `sphere.centre` are equally long, and each name in one is the same as
-/// in the other or close to it.
+/// Whether two chains such as `sphere.centre` have the same number of names, and each pair of names
+/// is equal or nearly so.
 fn is_near_chain(name: &str, known: &str) -> bool {
     let is_near = |(word, known): (&str, &str)| find_near_name(word, once(known)).is_some();
     name.matches('.').count() == known.matches('.').count()

@@ -40,8 +40,8 @@ fn places_and_listed_mistakes_are_drawn_by_an_edited_line() {
     assert!(10 * refusals.len() < count, "of {count}, these are refused:\n{refused_lines}");
 }
 
-/// What can be typed at `place`, each with the hash of its picture: the book's code, and each
-/// mistake that changes nothing else.
+/// The known texts for `place`, each with the hash of the picture that it produces: the book's own
+/// code, and the code of every mistake that changes only this place.
 fn known_codes_with_hashes(place: &Place) -> Vec<(String, u64)> {
     let path = format!("steps/{}", place.file);
     let text = fs::read_to_string(workspace().join(&path)).expect("a file");
