@@ -1,7 +1,7 @@
 //! Compares every locked picture (of the steps, exercises and chapters, and the cover) with its
 //! snapshot, in a test named after the picture. These tests run before all others.
 
-use course::{draw_side_by_side, workspace};
+use course::{draw_with_difference, workspace};
 use image::{Rgb, RgbImage};
 use insta::assert_binary_snapshot;
 use std::fs;
@@ -82,7 +82,7 @@ fn each_snapshot_of_words_has_its_name_in_its_crate() {
 #[test]
 fn pixel_that_differs_is_orange_if_it_is_brighter_and_blue_if_it_is_darker() {
     let new = RgbImage::from_fn(3, 1, |i, _| Rgb([90, 89 + i as u8, 90]));
-    let panels = draw_side_by_side(&new, &RgbImage::from_pixel(3, 1, Rgb([90; 3])));
+    let panels = draw_with_difference(&new, &RgbImage::from_pixel(3, 1, Rgb([90; 3])));
     let [darker, equal, brighter] = [6, 7, 8].map(|i| panels.get_pixel(i, 0).0);
     assert!(darker[0] < darker[2] && equal == [15; 3] && brighter[2] < brighter[0]);
 }

@@ -2,8 +2,8 @@
 
 use course::environment::{SnapshotUpdate, snapshot_update};
 use course::{
-    describe_difference, draw_side_by_side, encode_png, locked_picture_path, read_locked_picture,
-    target_folder,
+    describe_difference, draw_with_difference, encode_png, locked_picture_path,
+    read_locked_picture, target_folder,
 };
 use image::RgbImage;
 use insta::Settings;
@@ -57,7 +57,7 @@ fn describe_and_save_mismatch(name: &str, picture: &RgbImage) -> Option<String> 
     let difference = describe_difference(&locked, picture)?;
     let path = panels_path(name);
     let _ = fs::create_dir_all(path.with_file_name(""));
-    let caption = match draw_side_by_side(picture, &locked).save(&path) {
+    let caption = match draw_with_difference(picture, &locked).save(&path) {
         Ok(()) => "New, locked and difference (orange where the new one is brighter):",
         Err(_) => "The difference can't be written to",
     };

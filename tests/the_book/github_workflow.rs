@@ -27,7 +27,7 @@ fn job_text(job: &str) -> &'static str {
 }
 
 /// The commands of a job in order, except for the one that updates Rust.
-fn job_commands(job: &str) -> Vec<JobCommand> {
+fn job_commands_without_rustup(job: &str) -> Vec<JobCommand> {
     let steps = job_text(job).split("\n      - ").skip(1);
     let command = |step: &str| {
         let (_, command) = step.split_once("run: ")?;
@@ -103,7 +103,7 @@ fn run_workflow(folder: &Path, required: &str) -> Result<String> {
     run(&draw, copy, &[("COURSE", course.to_str().expect("UTF-8"))]).expect("a copy");
     let mut text = String::new();
     let mut steps = String::new();
-    for command in job_commands("draw") {
+    for command in job_commands_without_rustup("draw") {
         text +=
             &run(&draw, &command.lines, &[("STEPS", &steps)]).expect("the job \"draw\" succeeds");
         let output = fs::read_to_string(draw.join("output.txt")).expect("the output of a job");
@@ -116,7 +116,7 @@ fn run_workflow(folder: &Path, required: &str) -> Result<String> {
         }
     }
     let mut result = Ok(());
-    for command in job_commands("grade") {
+    for command in job_commands_without_rustup("grade") {
         if command.is_for_failure == result.is_err() {
             let variables = [("STEPS", &*steps), ("REQUIRE", required)];
             match run(&grade, &command.lines, &variables) {
@@ -145,8 +145,8 @@ fn grading_has_nothing_of_the_student_but_pictures() {
         assert!(!grade.contains(word), "{word}");
     }
     assert!(grade.contains("pattern: pictures"));
-    assert_eq!(job_commands("draw").len(), 3);
-    assert_eq!(job_commands("grade").len(), 2);
+    assert_eq!(job_commands_without_rustup("draw").len(), 3);
+    assert_eq!(job_commands_without_rustup("grade").len(), 2);
 }
 
 #[test]

@@ -86,5 +86,5 @@ fn with_editable_places(text: &str, file: &str, places: &[Place]) -> String {
         let question = format!("(match {question} {{ Some(value) => value, None => {code} }})");
         copy.replace_range(range, &question);
     }
-    copy.replace("debug_assert!(", "crate::expressions::stop_unless(")
+    copy.replace("debug_assert!(", "crate::expressions::refuse_first_line_unless(")
 }

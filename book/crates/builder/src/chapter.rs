@@ -273,7 +273,7 @@ impl<'a> Chapter<'a> {
                 }
                 return Ok(Expansion::Keep);
             }
-            Event::Start(Tag::Image { dest_url, .. }) => picture::image_html_from_markdown(
+            Event::Start(Tag::Image { dest_url, .. }) => picture::img_html_without_caption(
                 source,
                 dest_url,
                 self.sources,
@@ -534,7 +534,7 @@ impl<'a> Chapter<'a> {
         let mut figures = String::new();
         for ChapterPicture { markdown, file, caption } in pictures {
             let image =
-                picture::image_html_from_markdown(markdown, file, self.sources, &mut self.loading)?;
+                picture::img_html_without_caption(markdown, file, self.sources, &mut self.loading)?;
             figures += &picture::figure_html(&image, caption, interaction, &self.sources.values)?;
         }
         if pictures.len() > 1 {

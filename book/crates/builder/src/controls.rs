@@ -83,7 +83,8 @@ impl Control<'_> {
     /// coordinate of the same object. An editable scene shows all controls unfolded.
     fn is_folded(&self) -> bool {
         let Self { figure, parameter } = self;
-        let is_moved = figure.handles.iter().any(|handle| handle.moves(parameter.id));
+        let is_moved =
+            figure.handles.iter().any(|handle| handle.moves_parameter_or_its_object(parameter.id));
         is_moved && figure.editable_scene.is_none()
     }
 

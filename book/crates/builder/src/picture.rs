@@ -53,7 +53,7 @@ pub fn load_all_pictures(html: &str) -> String {
 
 /// The HTML of `![alt text](generated/name.png "Caption")`, without the caption. The alt text of a
 /// mistake's picture comes from the list of mistakes.
-pub fn image_html_from_markdown(
+pub fn img_html_without_caption(
     markdown: &str,
     source: &str,
     sources: &Sources,

@@ -84,7 +84,7 @@ mod tests {
     }
 
     #[test]
-    fn rows_without_columns_or_numbers_are_an_error() {
+    fn rows_need_a_picture_with_rows_and_known_columns() {
         for words in ["", "step03_nearest"] {
             assert!(
                 matches!(rows_markdown(words, &Values::default()), Err(ChapterError::RowsForm)),

@@ -135,11 +135,11 @@ fn page_sections(page: &Page) -> Vec<Section> {
             sections.push(Section { id, title, ..Section::default() });
         } else if let Some(section) = sections.last_mut() {
             section.prose +=
-                &(page.text_without(part, |part| is_hidden(part) || is_listing(part)) + " ");
+                &(page.text_without(part, |part| is_skipped(part) || is_listing(part)) + " ");
             // A listing may be in a folded box. What is hidden there isn't searched, either.
-            let inside = if is_hidden(part) { &[] } else { page.descendants(part) };
+            let inside = if is_skipped(part) { &[] } else { page.descendants(part) };
             for listing in iter::once(part).chain(inside).filter(|part| is_listing(part)) {
-                section.listings += &(page.text_without(listing, is_hidden) + " ");
+                section.listings += &(page.text_without(listing, is_skipped) + " ");
             }
         }
     }
@@ -161,7 +161,7 @@ fn is_listing(element: &Element) -> bool {
 
 /// Whether the search skips an element: it is hidden or a drawing, or it is an answer or a hint,
 /// which the search would give away.
-fn is_hidden(element: &Element) -> bool {
+fn is_skipped(element: &Element) -> bool {
     let is_answer = matches!(element.attr("class"), Some("answer" | "hints"));
     is_answer || element.attr("hidden").is_some() || element.tag == "svg"
 }
@@ -171,7 +171,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn readers_words_are_not_empty_and_each_hint_has_its_sentence() {
+    fn readers_words_have_letters_and_hints_end_in_full_stops() {
         let SearchVocabulary { phrases, hints, synonyms } = SearchVocabulary::parse(READER_WORDS);
         assert!(!phrases.contains_key(""), "words before the first address");
         for Hint { messages, sentence, .. } in &hints {
@@ -184,7 +184,7 @@ mod tests {
 
     #[test]
     fn hidden_elements_answers_and_hints_are_left_out() {
-        let is_left_out = |html| is_hidden(&Page::parse("a.html", html).elements[0]);
+        let is_left_out = |html| is_skipped(&Page::parse("a.html", html).elements[0]);
         for html in
             ["<p hidden>", "<svg>", "<details class=\"answer\">", "<details class=\"hints\">"]
         {

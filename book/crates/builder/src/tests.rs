@@ -28,7 +28,7 @@ fn a_chapter_is_expanded() {
 }
 
 #[test]
-fn directives_are_listed_and_expanded_above() {
+fn each_directive_is_listed_in_lib_and_expanded_in_one_of_each() {
     let list: String =
         include_str!("lib.rs").lines().filter(|line| line.starts_with("//!")).collect();
     let example = include_str!("tests/one_of_each.md");

@@ -1,6 +1,6 @@
 //! The answer about a picture: a verdict, a headline, details and causes.
 
-use course::{Mistake, Step, draw_side_by_side, json};
+use course::{Mistake, Step, draw_with_difference, json};
 use image::RgbImage;
 use std::fmt::{self, Display, Formatter};
 
@@ -174,9 +174,9 @@ impl Answer {
 
     /// Draws the reader's picture, ours and the difference side by side. Returns None if
     /// [`Self::compared`] is None.
-    pub fn draw_difference(&self) -> Option<RgbImage> {
+    pub fn draw_comparison(&self) -> Option<RgbImage> {
         let ComparedPictures { yours, ours } = self.compared.as_ref()?;
-        Some(draw_side_by_side(yours, ours))
+        Some(draw_with_difference(yours, ours))
     }
 
     /// Formats the answer as JSON, leaving out notes and causes if there are none.

@@ -34,7 +34,7 @@ pub(crate) fn find_cameras(
         cameras_with_wrong_formulas().into_iter().filter(|(camera, _)| gives_picture(camera));
     let mut words: Vec<_> = written.map(|(_, words)| words).collect();
     if words.is_empty() {
-        words.extend(MatrixNumber::all().filter_map(|number| {
+        words.extend(MatrixNumber::all_x_and_y().filter_map(|number| {
             let mut values = values_from_sky(comparison, scene, number).into_iter();
             let value = values.find(|value| gives_picture(&number.camera_with(*value)))?;
             Some(number.describe(&value.to_string()))
@@ -47,7 +47,7 @@ pub(crate) fn find_cameras(
 }
 
 impl MatrixNumber {
-    fn all() -> impl Iterator<Item = Self> {
+    fn all_x_and_y() -> impl Iterator<Item = Self> {
         (0..2).flat_map(|row| (0..3).map(move |column| Self { column, row }))
     }
 
@@ -271,7 +271,7 @@ mod tests {
     fn written_cameras_have_the_numbers_of_their_formulas() {
         let ours = camera().matrix;
         let lines = cameras_with_wrong_formulas().into_iter().map(|(camera, words)| {
-            let numbers = MatrixNumber::all().filter_map(|number| {
+            let numbers = MatrixNumber::all_x_and_y().filter_map(|number| {
                 let value = camera.matrix.col(number.column)[number.row];
                 (value != number.ours()).then(|| format!("{value:.9}"))
             });

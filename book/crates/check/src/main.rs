@@ -205,7 +205,7 @@ fn check_file(
         Some(owner) => check_scene_png(&png, &file_name, owner)?,
         None => check_png(&png, &file_name, name, read_locked_picture)?,
     };
-    if let Some(difference) = answer.draw_difference() {
+    if let Some(difference) = answer.draw_comparison() {
         answer.details.push(save_difference(&difference, file));
     }
     Ok(answer)

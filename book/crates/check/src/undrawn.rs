@@ -204,7 +204,7 @@ impl Mask {
         let rows: BTreeSet<_> = self.inside_positions().map(|(_, j)| j).collect();
         let is_crossing = |i: u32, j: u32| columns.contains(&i) && rows.contains(&j);
         let is_shape = self.is_shape(is_crossing);
-        let words = join_columns_and_rows(
+        let words = columns_of_rows(
             &self.format_lines(LineKind::Column, &columns),
             &self.format_lines(LineKind::Row, &rows),
         );
@@ -253,7 +253,7 @@ impl Mask {
                 rest[index(left, j)..=index(right, j)].fill(Membership::Possible);
             }
             let [columns, rows] = [left..=right, top..=bottom].map(BTreeSet::from_iter);
-            words.push(join_columns_and_rows(
+            words.push(columns_of_rows(
                 &self.format_lines(LineKind::Column, &columns),
                 &self.format_lines(LineKind::Row, &rows),
             )?);
@@ -317,7 +317,7 @@ impl Mask {
 
 /// Joins the descriptions of columns and rows, as in `columns 3 to 9 of row 2`. Returns None if
 /// there are neither.
-fn join_columns_and_rows(columns: &Option<String>, rows: &Option<String>) -> Option<String> {
+fn columns_of_rows(columns: &Option<String>, rows: &Option<String>) -> Option<String> {
     let both = [columns, rows].into_iter().flatten().map(String::as_str);
     let both: Vec<_> = both.collect();
     (!both.is_empty()).then(|| both.join(" of "))

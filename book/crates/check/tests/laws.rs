@@ -58,7 +58,7 @@ fn right_programs_with_options_are_blamed_for_nothing() {
 
 /// In these pictures, a highlight on the right border is as blue as the sky.
 #[test]
-fn angles_with_highlights_on_the_border_are_found() {
+fn fields_of_view_are_found_despite_highlights_on_the_border() {
     let step = Step::Phong;
     for (fov_degrees, columns, rows, samples) in [
         (51.63, 640, 360, 1),
@@ -99,16 +99,16 @@ fn difference_is_drawn_only_of_a_wrong_picture_of_the_right_size() {
     let ours = locked_picture(step.name());
     let wrong = map_locked(step.name(), |_, _, [r, g, b]| [b, g, r]);
     let answer = check(wrong.clone(), step.name());
-    let difference = answer.draw_difference().expect("a difference");
+    let difference = answer.draw_comparison().expect("a difference");
     assert_eq!(difference.dimensions(), (3 * 640, 360));
     assert_eq!(answer.compared, Some(ComparedPictures { yours: wrong, ours: ours.clone() }));
     let other_options = step.picture()(&camera_with_fov(120.0, 640), 1);
     let small = RgbImage::new(64, 36);
     for picture in [ours.clone(), other_options, small] {
-        assert_eq!(check(picture, step.name()).draw_difference(), None);
+        assert_eq!(check(picture, step.name()).draw_comparison(), None);
     }
     let mut transparent = DynamicImage::from(ours).into_rgba8();
     transparent[(9, 9)][3] = 0;
     let answer = check_png(&encode(transparent), "my.png", Some(step.name()), read_locked_picture);
-    assert_eq!(answer.expect("a picture").draw_difference(), None);
+    assert_eq!(answer.expect("a picture").draw_comparison(), None);
 }

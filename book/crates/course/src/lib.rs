@@ -47,7 +47,7 @@ pub use scenes::{
 
 mod pictures;
 pub use pictures::{
-    LockedPictureError, describe_difference, draw_side_by_side, encode_png, hash_picture,
+    LockedPictureError, describe_difference, draw_with_difference, encode_png, hash_picture,
     largest_channel_difference, locked_picture_path, read_locked_picture,
 };
 

@@ -78,7 +78,7 @@ mod tests {
     }
 
     #[test]
-    fn each_row_has_its_readouts() {
+    fn row_count_of_each_figure_is_that_of_its_readouts() {
         for figure in FIGURES.iter() {
             let readouts = (figure.readouts)(&figure.default_values());
             // `a` is a column of spheres, and `k` one of mirrors.

@@ -105,7 +105,7 @@ impl Handle {
 
     /// A handle at this distance from the origin that sets an angle, measured to the left of
     /// straight up. The angle is between −90° and 270°.
-    pub fn of_angle(
+    pub fn of_degrees_left_of_up(
         label: &'static str,
         parameter: ParameterId,
         view: View,
@@ -157,7 +157,7 @@ impl Handle {
     }
 
     /// Whether the handle sets this parameter, or moves the object that the parameter belongs to.
-    pub fn moves(&self, parameter: ParameterId) -> bool {
+    pub fn moves_parameter_or_its_object(&self, parameter: ParameterId) -> bool {
         let is_of_same_object =
             parameter.object().is_some() && parameter.object() == self.horizontal.object();
         is_of_same_object || [self.horizontal, self.vertical].contains(&parameter)
@@ -173,7 +173,7 @@ mod tests {
     fn angle_of_a_handle_wraps_to_the_right() {
         const ANGLE: ParameterId = ParameterId::new("angle");
         let view = View { origin: dvec2(100.0, 50.0), scale: DVec2::ONE };
-        let handle = Handle::of_angle("the arm", ANGLE, view, 40.0);
+        let handle = Handle::of_degrees_left_of_up("the arm", ANGLE, view, 40.0);
         let values = |angle| [(ANGLE, angle)].into_iter().collect();
         for (to, angle) in [
             (-89.0, -89.0),

@@ -84,7 +84,7 @@ fn spread_values(figure: &Figure, seed: usize) -> ParameterValues {
 }
 
 /// The default values and, if there are parameters, two other sets spread over their ranges.
-fn values_to_lock(figure: &Figure) -> Vec<ParameterValues> {
+fn default_and_spread_values(figure: &Figure) -> Vec<ParameterValues> {
     let [first, second] = [1, 2].map(|seed| spread_values(figure, seed));
     let mut all = vec![figure.default_values(), first, second];
     all.dedup();
@@ -115,7 +115,7 @@ fn default_picture_is_that_of_the_program() {
 fn replies_are_as_locked() {
     for figure in FIGURES.iter() {
         let mut requests = vec![(format!("about {}", figure.name), FigureRequest::About)];
-        let values = values_to_lock(figure);
+        let values = default_and_spread_values(figure);
         requests.extend(values.iter().map(|values| show_request(figure, values)));
         assert_snapshot!(figure.name, replies(figure, &requests));
     }
@@ -144,7 +144,7 @@ fn labels_are_inside_their_drawing_and_on_no_other_label() {
     let mut faults = vec![];
     for figure in FIGURES.iter() {
         let Content::Drawing { draw, .. } = figure.content else { continue };
-        for values in values_at_limits(figure).iter().chain(&values_to_lock(figure)) {
+        for values in values_at_limits(figure).iter().chain(&default_and_spread_values(figure)) {
             let drawing = draw(values);
             let size = dvec2(WIDTH, drawing.height());
             let labels: Vec<_> = drawing.label_boxes().collect();
@@ -175,7 +175,7 @@ fn handle_lines(figure: &Figure, values: &ParameterValues) -> String {
 #[test]
 fn dragged_handles_are_as_locked() {
     let parts = FIGURES.iter().flat_map(|figure| {
-        let all = values_to_lock(figure).into_iter();
+        let all = default_and_spread_values(figure).into_iter();
         all.map(|values| handle_lines(figure, &values))
     });
     let own_scene = find_figure("own_scene").expect("a picture");

@@ -31,7 +31,7 @@ fn report(result: Result<Answer, CheckError>) -> Reply {
     let lines = json::list(answer.lines().iter().map(|line| json::quote(line)));
     let mut fields = vec![("code", answer.verdict.exit_code().to_string()), ("lines", lines)];
     let mut pixels = vec![];
-    if let Some(difference) = answer.draw_difference() {
+    if let Some(difference) = answer.draw_comparison() {
         let (width, height) = difference.dimensions();
         fields.push(("size", json::list([width, height])));
         pixels = figures::rgba_bytes(&difference);

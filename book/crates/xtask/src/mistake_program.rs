@@ -55,7 +55,7 @@ pub fn draw_mistakes(mistakes: &[&Mistake]) -> XtaskResult<Vec<DrawnPictures>> {
 }
 
 /// Returns the text of a mistake's file with the mistake in it, without indentation.
-pub fn text_with_mistake(mistake: &Mistake) -> XtaskResult<String> {
+pub fn unindented_text_with_mistake(mistake: &Mistake) -> XtaskResult<String> {
     let text = read_text(&workspace().join(&mistake.file))?;
     mistake.apply_and_unindent(&text).map_err(|count| {
         let (title, file) = (mistake.title, mistake.file.clone());
@@ -119,7 +119,7 @@ fn write_step(source: &Path, mistake: &Mistake, step: &str, module: &str) -> Xta
         let file = entry.file_name().into_string().unwrap_or_default();
         let path = format!("steps/{step}/src/{file}");
         let text = if path == mistake.file {
-            text_with_mistake(mistake)?
+            unindented_text_with_mistake(mistake)?
         } else {
             read_text(&workspace().join(&path))?
         };
@@ -143,9 +143,11 @@ mod tests {
     #[test]
     fn mistake_whose_code_is_gone_is_an_error() {
         let mut mistake = course::mistakes()[0].clone();
-        assert!(text_with_mistake(&mistake).is_ok_and(|text| text.contains(&mistake.new)));
+        assert!(
+            unindented_text_with_mistake(&mistake).is_ok_and(|text| text.contains(&mistake.new))
+        );
         mistake.old = "no such code".to_owned();
-        let error = text_with_mistake(&mistake).expect_err("the code isn't there");
+        let error = unindented_text_with_mistake(&mistake).expect_err("the code isn't there");
         let message = "the code of the mistake \"the angle is in degrees\" appears 0 times in \
                        steps/step01_rays/src/program.rs, not once";
         assert_eq!(error.to_string(), message);

@@ -1,7 +1,7 @@
 //! Keeps the table and the small pictures of the mistakes up to date, by drawing what has changed.
 
 use crate::error::{XtaskError, XtaskResult};
-use crate::mistake_program::{self, DrawnPictures, text_with_mistake, title_and_file};
+use crate::mistake_program::{self, DrawnPictures, title_and_file, unindented_text_with_mistake};
 use crate::source_hash::{code_lines, hash_texts};
 use course::{
     Mistake, MistakePicture, MistakeTable, PICTURES, RightPicture, SMALL_SIZE, Step, TableRow,
@@ -50,13 +50,13 @@ pub fn draw_new_mistakes() -> XtaskResult<()> {
 /// Hashes everything that determines a mistake's pictures: the code of its file with the mistake in
 /// it, the right pictures of the steps that it affects, and the names and steps of the pictures
 /// that the book shows. If the key changes, the mistake has to be drawn again.
-pub fn mistake_key(mistake: &Mistake, right: &[(&str, u64)]) -> XtaskResult<u32> {
+pub fn redraw_key(mistake: &Mistake, right: &[(&str, u64)]) -> XtaskResult<u32> {
     let steps: Vec<_> = mistake.affected_steps().map(Step::name).collect();
     let affected = right.iter().filter(|(name, _)| steps.contains(name));
     let right_hashes = affected.map(|(_, hash)| hash.to_string());
     let pictures = mistake.pictures().iter();
     let shown_names = pictures.map(|picture| format!("{} {}", picture.name, picture.step.name()));
-    let code = code_lines(&text_with_mistake(mistake)?);
+    let code = code_lines(&unindented_text_with_mistake(mistake)?);
     Ok(hash_texts(right_hashes.chain(shown_names).chain([code])) as u32)
 }
 
@@ -68,7 +68,7 @@ impl Table {
             right.push((*name, hash_picture(&read_locked_picture(name)?)));
         }
         for mistake in parse_mistake_lists()? {
-            all.push((mistake_key(mistake, &right)?, mistake));
+            all.push((redraw_key(mistake, &right)?, mistake));
         }
         let rows = mistake_table().rows.iter();
         let rows = rows.filter(|row| row.hashes.iter().any(Option::is_some));

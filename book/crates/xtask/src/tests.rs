@@ -1,7 +1,7 @@
 //! Tests that the checked-in files are up to date with the code that they are made from.
 
 use crate::mistake_program::title_and_file;
-use crate::mistakes::{Table, mistake_key};
+use crate::mistakes::{Table, redraw_key};
 use crate::modules;
 use course::environment::is_ci;
 use course::{MistakePicture, Step, mistake_texts, mistakes};
@@ -32,7 +32,7 @@ fn the_table_knows_each_mistake_and_what_is_right() {
 #[test]
 fn picture_of_another_name_or_step_is_drawn_again() {
     let mut mistake = mistakes()[0].clone();
-    let known = mistake_key(&mistake, &[]).ok();
+    let known = redraw_key(&mistake, &[]).ok();
     let shown = mistake.shown.as_mut().expect("the book shows the first mistake");
     let picture = shown.pictures[0];
     for changed in [
@@ -41,7 +41,7 @@ fn picture_of_another_name_or_step_is_drawn_again() {
     ] {
         let mut mistake = mistakes()[0].clone();
         mistake.shown.as_mut().expect("it is shown").pictures = vec![changed];
-        assert_ne!(known, mistake_key(&mistake, &[]).ok(), "{changed:?}");
+        assert_ne!(known, redraw_key(&mistake, &[]).ok(), "{changed:?}");
     }
 }
 

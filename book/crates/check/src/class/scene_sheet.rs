@@ -166,24 +166,26 @@ impl Sheet {
     }
 
     fn to_html(&self) -> String {
-        let mut html = format!("<h1>The scene of <bdi>{}</bdi></h1>\n", escape_html(&self.name));
+        let mut html =
+            format!("<h1>The scene of <bdi>{}</bdi></h1>\n", escape_html_text(&self.name));
         for table in &self.tables {
             html += "<table>\n";
             for (number, row) in table.iter().enumerate() {
                 let tag = if number == 0 { "th" } else { "td" };
-                let cells = row.iter().map(|cell| format!("<{tag}>{}</{tag}>", escape_html(cell)));
+                let cells =
+                    row.iter().map(|cell| format!("<{tag}>{}</{tag}>", escape_html_text(cell)));
                 let _ = writeln!(html, "<tr>{}</tr>", cells.collect::<String>());
             }
             html += "</table>\n";
         }
         for text in &self.instructions {
-            let _ = writeln!(html, "<p>{}</p>", escape_html(text));
+            let _ = writeln!(html, "<p>{}</p>", escape_html_text(text));
         }
         html + &html_list(&self.problems)
     }
 
     fn answers_to_html(&self) -> String {
-        let name = escape_html(&self.name);
+        let name = escape_html_text(&self.name);
         format!("<h2><bdi>{name}</bdi></h2>\n{}", html_list(&self.answers))
     }
 }
@@ -297,16 +299,16 @@ impl ProblemPixel {
                     "What are a, b, c and D of its ray and {}?",
                     names.join(", and of it and ")
                 ),
-                join_clauses(coefficients),
+                join_with_semicolons(coefficients),
             ),
-            (nearest, join_clauses(hits) + &visible),
+            (nearest, join_with_semicolons(hits) + &visible),
             (
                 "What's the normal n at the point that the pixel shows?".to_owned(),
                 format!("n = {}", format_vector_four_decimals(normal)),
             ),
             (
                 "What are n·l and d there, for each of the two lights?".to_owned(),
-                join_clauses(directions),
+                join_with_semicolons(directions),
             ),
             (
                 "What are I_a, and the sums of I_d and of I_s over both lights, there and in red?"
@@ -318,7 +320,7 @@ impl ProblemPixel {
     }
 }
 
-fn join_clauses(clauses: impl Iterator<Item = String>) -> String {
+fn join_with_semicolons(clauses: impl Iterator<Item = String>) -> String {
     clauses.collect::<Vec<_>>().join("; ")
 }
 
@@ -333,11 +335,11 @@ fn html_page(kind: &str, sections: impl Iterator<Item = String>) -> String {
 
 fn html_list(items: &[String]) -> String {
     let items: String =
-        items.iter().map(|item| format!("<li>{}</li>\n", escape_html(item))).collect();
+        items.iter().map(|item| format!("<li>{}</li>\n", escape_html_text(item))).collect();
     format!("<ol>\n{items}</ol>\n")
 }
 
-fn escape_html(text: &str) -> String {
+fn escape_html_text(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }
 
@@ -353,7 +355,7 @@ mod tests {
 
     #[test]
     fn html_is_escaped() {
-        assert_eq!(escape_html("a < b & c > d"), "a &lt; b &amp; c &gt; d");
+        assert_eq!(escape_html_text("a < b & c > d"), "a &lt; b &amp; c &gt; d");
         assert_eq!(html_list(&["<b>".to_owned()]), "<ol>\n<li>&lt;b&gt;</li>\n</ol>\n");
     }
 

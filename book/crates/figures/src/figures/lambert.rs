@@ -28,7 +28,7 @@ pub fn figure() -> Figure {
         .with_unit("°");
     Figure {
         parameters: vec![angle],
-        handles: vec![Handle::of_angle("the light on the right", ANGLE, VIEW, LENGTH)],
+        handles: vec![Handle::of_degrees_left_of_up("the light on the right", ANGLE, VIEW, LENGTH)],
         readouts: |values| {
             let share = brightness(direction_left_of_up(values[ANGLE]));
             collect_readouts([

@@ -25,7 +25,7 @@ pub fn figure() -> Figure {
                 .with_symbol("n"),
             Parameter::number(ANGLE, "angle of the light", 45.0, [5.0, 50.0], 1.0).with_unit("°"),
         ],
-        handles: vec![Handle::of_angle("the light l", ANGLE, VIEW, 0.85)],
+        handles: vec![Handle::of_degrees_left_of_up("the light l", ANGLE, VIEW, 0.85)],
         ..Figure::new("lobes", CONTENT)
     }
 }

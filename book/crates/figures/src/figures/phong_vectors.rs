@@ -23,7 +23,7 @@ pub fn figure() -> Figure {
         .with_unit("°");
     Figure {
         parameters: vec![angle],
-        handles: vec![Handle::of_angle("the light l", ANGLE, VIEW, 1.0)],
+        handles: vec![Handle::of_degrees_left_of_up("the light l", ANGLE, VIEW, 1.0)],
         readouts: |values| collect_readouts([("angle", format_number(values[ANGLE]))]),
         ..Figure::new("phong-vectors", CONTENT)
     }

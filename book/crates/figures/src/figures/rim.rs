@@ -25,7 +25,7 @@ pub fn figure() -> Figure {
         Parameter::number(ANGLE, "angle of the lamp", 96.0, [40.0, 125.0], 1.0).with_unit("°");
     Figure {
         parameters: vec![angle],
-        handles: vec![Handle::of_angle("the lamp", ANGLE, VIEW, 1.0)],
+        handles: vec![Handle::of_degrees_left_of_up("the lamp", ANGLE, VIEW, 1.0)],
         readouts: |values| {
             let [n, l, r, v] = vectors(values);
             let [nl, rv] = [n.dot(l), r.dot(v)].map(|cosine| format_rounded(cosine, 2));

@@ -110,7 +110,7 @@ fn evaluate_line<T: Default + TryFrom<Value>>(place_index: usize, variables: &[V
 }
 
 /// Ends the picture if a development build of the reader's program would panic.
-pub fn stop_unless(condition: bool, sentence: &'static str) {
+pub fn refuse_first_line_unless(condition: bool, sentence: &'static str) {
     if condition {
         return;
     }

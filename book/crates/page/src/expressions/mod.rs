@@ -35,4 +35,4 @@ pub use refusal::{Fault, Refusal};
 pub use value::Value;
 
 // Called by the copied steps, like `draw_pixels`.
-use edited_picture::{stop_unless, value_of_line};
+use edited_picture::{refuse_first_line_unless, value_of_line};

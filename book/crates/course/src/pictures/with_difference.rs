@@ -12,7 +12,7 @@ const BLACK: Rgb<u8> = Rgb([0; 3]);
 /// In the third panel, equal pixels are dark grey. A pixel that differs is blue if the first
 /// picture is darker there, and orange otherwise; the larger the difference, the brighter the
 /// colour. If one picture is smaller than the other, it is padded with black.
-pub fn draw_side_by_side(first: &RgbImage, second: &RgbImage) -> RgbImage {
+pub fn draw_with_difference(first: &RgbImage, second: &RgbImage) -> RgbImage {
     let width = first.width().max(second.width());
     let height = first.height().max(second.height());
     RgbImage::from_fn(3 * width, height, |i, j| {
@@ -47,7 +47,7 @@ mod tests {
         let [dark, bright] = [Rgb([10, 10, 10]), Rgb([20, 200, 20])];
         let first = RgbImage::from_pixel(2, 1, bright);
         let second = RgbImage::from_fn(1, 1, |_, _| dark);
-        let panels = draw_side_by_side(&first, &second);
+        let panels = draw_with_difference(&first, &second);
         assert_eq!(panels.dimensions(), (6, 1));
         let colours: Vec<_> = panels.pixels().copied().collect();
         assert_eq!(colours[..4], [bright, bright, dark, BLACK]);
