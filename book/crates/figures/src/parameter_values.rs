@@ -27,9 +27,11 @@ impl ParameterId {
 
     /// Whether this is how the id is displayed.
     pub fn is_displayed_as(self, word: &str) -> bool {
-        let object = self.object.into_iter().flat_map(|object| object.chars().chain(['-']));
-        let letters = object.chain(self.name.chars());
-        letters.map(|c| if c == ' ' { '-' } else { c }).eq(word.chars())
+        let object = self.object.into_iter().flat_map(|object| object.bytes().chain([b'-']));
+        let length = self.object.map_or(0, |object| object.len() + 1) + self.name.len();
+        // A request may name 180 parameters. Most of the others differ in their length.
+        let is_equal = |(a, b)| a == if b == b' ' { b'-' } else { b };
+        word.len() == length && word.bytes().zip(object.chain(self.name.bytes())).all(is_equal)
     }
 
     /// The object that the parameter belongs to, if there is one.
