@@ -75,8 +75,8 @@ pub fn reply(name: &str, request: &FigureRequest) -> Result<Reply, FigureRequest
 /// The number of columns that a request asks for, if it is allowed.
 fn allowed_columns(columns: Option<u32>) -> Result<u32, FigureRequestError> {
     let columns = columns.unwrap_or(COLUMNS);
-    let has_something_to_show = ALLOWED_COLUMNS.contains(&columns);
-    has_something_to_show.then_some(columns).ok_or(FigureRequestError::Columns(columns))
+    let is_allowed = ALLOWED_COLUMNS.contains(&columns);
+    is_allowed.then_some(columns).ok_or(FigureRequestError::Columns(columns))
 }
 
 /// What a page has to know about a figure before it shows anything.

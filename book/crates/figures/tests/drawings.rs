@@ -1,4 +1,4 @@
-//! What a page receives for each figure, locked as text. Each element of a drawing and each field
+//! The texts of each figure and what a page receives for it, locked as text. Each element of a drawing and each field
 //! of JSON has its own line.
 
 use course::{Step, find_picture};
@@ -112,12 +112,18 @@ fn default_picture_is_that_of_the_program() {
 }
 
 #[test]
-fn replies_are_as_locked() {
+fn texts_and_replies_are_as_locked() {
     for figure in FIGURES.iter() {
         let mut requests = vec![(format!("about {}", figure.name), FigureRequest::About)];
         let values = default_and_spread_values(figure);
         requests.extend(values.iter().map(|values| show_request(figure, values)));
-        assert_snapshot!(figure.name, replies(figure, &requests));
+        let texts = match &figure.content {
+            Content::Drawing { title, caption, .. } => {
+                format!("title: {title}\ncaption: {caption}\n\n")
+            }
+            Content::Picture { .. } => String::new(),
+        };
+        assert_snapshot!(figure.name, texts + &replies(figure, &requests));
     }
 }
 

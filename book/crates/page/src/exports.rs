@@ -10,13 +10,13 @@ thread_local! {
     static REPLY: RefCell<(Reply, [usize; 4])> = RefCell::default();
 }
 
-/// Makes room for this many bytes, and returns its address. Index 0 is for the next request, and
+/// Allocates this many bytes for an input, and returns their address. Index 0 is for the next request, and
 /// index 1 for the file that goes with it.
 #[unsafe(no_mangle)]
 extern "C" fn allocate_input(index: usize, length: usize) -> *mut u8 {
-    INPUTS.with_borrow_mut(|rooms| {
-        rooms[index] = vec![0; length];
-        rooms[index].as_mut_ptr()
+    INPUTS.with_borrow_mut(|inputs| {
+        inputs[index] = vec![0; length];
+        inputs[index].as_mut_ptr()
     })
 }
 

@@ -20,7 +20,7 @@ const BATCH_SIZE: usize = 60;
 
 /// The mistakes, and what is known about their pictures: the rows of the table by their keys, and
 /// the small pictures by their names.
-pub struct Table {
+pub struct DrawnMistakes {
     /// The names and hashes of the right pictures.
     right: Vec<(&'static str, u64)>,
     /// All mistakes, each with its key.
@@ -31,7 +31,7 @@ pub struct Table {
 
 /// Draws the mistakes that have no row in the table, or lack a small picture.
 pub fn draw_new_mistakes() -> XtaskResult<()> {
-    let mut table = Table::read()?;
+    let mut table = DrawnMistakes::read()?;
     let new: Vec<_> = table.new_mistakes().copied().collect();
     println!("Mistakes to draw: {}", new.len());
     for batch in new.chunks(BATCH_SIZE) {
@@ -60,7 +60,7 @@ pub fn redraw_key(mistake: &Mistake, right: &[(&str, u64)]) -> XtaskResult<u32> 
     Ok(hash_texts(right_hashes.chain(shown_names).chain([code])) as u32)
 }
 
-impl Table {
+impl DrawnMistakes {
     /// Reads the list of mistakes, the right pictures, and the checked-in table and small pictures.
     pub fn read() -> XtaskResult<Self> {
         let (mut right, mut all) = (vec![], vec![]);
@@ -154,13 +154,13 @@ mod tests {
     use super::*;
     use crate::mistake_program::title_and_file;
 
-    fn new_titles(table: &Table) -> Vec<String> {
+    fn new_titles(table: &DrawnMistakes) -> Vec<String> {
         table.new_mistakes().map(|(_, mistake)| title_and_file(mistake)).collect()
     }
 
     #[test]
     fn mistake_without_its_row_or_one_small_picture_is_new() {
-        let read = || Table::read().expect("the list and the table");
+        let read = || DrawnMistakes::read().expect("the list and the table");
         let (mut without_row, mut without_picture) = (read(), read());
         let known = new_titles(&without_row);
         let is_shown = |(_, mistake): &&(u32, &Mistake)| {

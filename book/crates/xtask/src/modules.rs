@@ -73,7 +73,8 @@ fn find_local_folder(module: &[u8]) -> Option<PathBuf> {
     })
 }
 
-fn page_folder() -> PathBuf {
+/// The folder of the package `page`, in which the modules are.
+pub fn page_folder() -> PathBuf {
     workspace().join("book/crates/page")
 }
 

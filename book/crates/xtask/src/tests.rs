@@ -1,11 +1,12 @@
 //! Tests that the checked-in files are up to date with the code that they are made from.
 
 use crate::mistake_program::title_and_file;
-use crate::mistakes::{Table, redraw_key};
+use crate::mistakes::{DrawnMistakes, redraw_key};
 use crate::modules;
 use course::environment::is_ci;
-use course::{MistakePicture, Step, mistake_texts, mistakes};
+use course::{MistakePicture, Step, WASM_MODULES, mistake_texts, mistakes};
 use std::collections::HashSet;
+use std::fs;
 use std::io::{Write, stderr};
 
 #[test]
@@ -20,8 +21,25 @@ fn modules_are_made_from_the_code_of_today() {
 }
 
 #[test]
+fn modules_export_the_functions_that_pages_call() {
+    let script = include_str!("../../../theme/wasm.js");
+    let calls = script.split("module.").skip(1).filter_map(|rest| rest.split_once('('));
+    let names: HashSet<_> = calls.map(|(name, _)| name).filter(|name| name.contains('_')).collect();
+    assert_eq!(names.len(), 2, "{names:?}");
+    for module in WASM_MODULES {
+        let path = modules::page_folder().join(format!("{module}.wasm"));
+        let bytes = fs::read(path).expect("a module");
+        for name in &names {
+            let is_exported = bytes.windows(name.len()).any(|part| part == name.as_bytes());
+            assert!(is_exported, "{module}.wasm has no {name}. `cargo xtask` compiles it anew.");
+        }
+    }
+}
+
+#[test]
 fn the_table_knows_each_mistake_and_what_is_right() {
-    let table = Table::read().expect("each mistake's code occurs once, and each picture is there");
+    let table =
+        DrawnMistakes::read().expect("each mistake's code occurs once, and each picture is there");
     let new: Vec<_> = table.new_mistakes().map(|(_, mistake)| title_and_file(mistake)).collect();
     let note = "These mistakes haven't been drawn yet. `cargo xtask` draws them:";
     assert!(new.is_empty(), "{note}\n{}", new.join("\n"));

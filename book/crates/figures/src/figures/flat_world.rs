@@ -33,7 +33,7 @@ const POINTS: [(PointId, Mark, [f64; 2]); 7] = [
 const CONTENT: Content = Content::Drawing {
     title: "Four balls, an eye S and a light q in a plane. The ray from the eye meets ball 1 at p; ball 2 blocks the way from there to the light. The mirrored ray goes on to ball 3 and from there to ball 4, which is the only one in the light.",
     caption: "A world in a plane, where every ball mirrors: the ray from the eye meets {{#number flat-world:path}}. From each hit, a line leads \
-                  to the light; where it's dotted, the light is hidden by another ball or by the one that was hit. (No ray is follows after its third hit.) \
+                  to the light; where it's dotted, the light is hidden by another ball or by the one that was hit. (No ray is followed after its third hit.) \
                   <span class='move'>Drag anything: the light, say, until $p$ sees it.</span>",
     draw,
 };

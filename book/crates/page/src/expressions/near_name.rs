@@ -42,7 +42,7 @@ pub fn synonyms(name: &str) -> Vec<String> {
 /// equals `name` ignoring case, is a synonym, is a prefix of `name`, or differs by a letter or two.
 pub fn find_near_name<'a>(name: &str, known: impl Iterator<Item = &'a str>) -> Option<&'a str> {
     let wanted = synonyms(name);
-    let pixel_spacing = |known: &str| {
+    let distance = |known: &str| {
         let small = known.to_ascii_lowercase();
         if let Some(index) = wanted.iter().position(|word| *word == small) {
             return Some(index);
@@ -50,14 +50,14 @@ pub fn find_near_name<'a>(name: &str, known: impl Iterator<Item = &'a str>) -> O
         if small.len().min(name.len()) < MIN_LETTERS {
             return None;
         }
-        let pixel_spacing = strsim::osa_distance(&wanted[0], &small);
+        let distance = strsim::osa_distance(&wanted[0], &small);
         let may_differ = if name.len() < 6 { 1 } else { 2 };
         // A synonym ranks ahead of a typo, and a typo ahead of a prefix.
         let is_start = wanted[0].starts_with(&small) && 2 * small.len() > wanted[0].len();
-        (pixel_spacing <= may_differ || is_start).then_some(10 * pixel_spacing)
+        (distance <= may_differ || is_start).then_some(10 * distance)
     };
-    let distances = known.filter_map(|known| Some((pixel_spacing(known)?, known)));
-    distances.min_by_key(|(pixel_spacing, _)| *pixel_spacing).map(|(_, known)| known)
+    let distances = known.filter_map(|known| Some((distance(known)?, known)));
+    distances.min_by_key(|(distance, _)| *distance).map(|(_, known)| known)
 }
 
 #[cfg(test)]
