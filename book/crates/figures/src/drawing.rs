@@ -1,9 +1,10 @@
 //! Drawings in SVG.
 
-use crate::View;
 use crate::label_box::LabelBox;
 use crate::text_markup::{escape, symbol_spans};
+use crate::{Shading, View};
 use glam::{DVec2, dvec2};
+use std::collections::BTreeMap;
 
 /// The width of every drawing.
 pub const WIDTH: f64 = 480.0;
@@ -16,6 +17,8 @@ pub const WIDTH: f64 = 480.0;
 #[derive(Clone, Debug)]
 pub struct Drawing {
     height: f64,
+    /// The gradients of the balls, by their ids.
+    gradients: BTreeMap<&'static str, String>,
     shapes: String,
     labels: Vec<Label>,
 }
@@ -31,7 +34,7 @@ struct Label {
 impl Drawing {
     /// An empty drawing, as wide as the column of text.
     pub fn new(height: f64) -> Self {
-        Self { height, shapes: String::new(), labels: vec![] }
+        Self { height, gradients: BTreeMap::new(), shapes: String::new(), labels: vec![] }
     }
 
     /// Draws a straight line.
@@ -69,6 +72,16 @@ impl Drawing {
     /// Draws a small filled circle to mark a point.
     pub fn dot(&mut self, class: &str, centre: DVec2) {
         self.circle(&format!("{class} dot"), centre, 4.5);
+    }
+
+    /// Draws a solid ball, or its image, which may be an ellipse.
+    pub fn ball(&mut self, shading: &Shading, centre: DVec2, half_axes: DVec2) {
+        self.gradients.entry(shading.id).or_insert_with(|| shading.svg());
+        let (id, DVec2 { x, y }) = (shading.id, centre);
+        let size = format!(r#"rx="{:.2}" ry="{:.2}""#, half_axes.x, half_axes.y);
+        self.shapes += &format!(
+            r#"<ellipse cx="{x:.2}" cy="{y:.2}" {size} style="fill:url(#{id})"></ellipse>"#
+        );
     }
 
     /// Draws a pixel as a disc in its own colour.
@@ -129,7 +142,8 @@ impl Drawing {
     /// The drawing's elements, to be put inside an SVG element.
     pub fn svg_elements(&self) -> String {
         let labels = self.labels.iter().map(Label::svg);
-        self.shapes.clone() + &labels.collect::<String>()
+        let gradients = self.gradients.values().map(String::as_str);
+        gradients.chain([&*self.shapes]).map(str::to_owned).chain(labels).collect()
     }
 
     /// The drawing as an HTML element, with a `title` for readers who can't see it.

@@ -17,10 +17,13 @@ use format::{format_number, format_rounded, format_vector};
 
 mod drawing;
 mod label_box;
+mod shading;
 mod text_markup;
 mod view;
 pub use drawing::{Drawing, WIDTH};
 pub use label_box::LabelBox;
+pub use shading::Shading;
+use shading::TO_LIGHT;
 pub use text_markup::{escape, italic_letter};
 use view::{View, direction_left_of_up};
 

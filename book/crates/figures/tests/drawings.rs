@@ -14,7 +14,7 @@ fn reply_lines(figure: &Figure, request: &FigureRequest) -> String {
     let Reply { text, pixels } = reply(figure.name, request).unwrap_or_else(Reply::from_error);
     let text = json_lines(&text).replace("\\\"", "\"").replace("\\u000a", "\n");
     let pixels = pixels.chunks(4).take(40).map(|pixel| format!("\n{pixel:?}"));
-    let text = ["<path", "<circle", "<text"]
+    let text = ["<radialGradient", "<stop", "<path", "<circle", "<ellipse", "<text"]
         .into_iter()
         .fold(text, |text, element| text.replace(element, &format!("\n{element}")));
     text + &pixels.collect::<String>()
@@ -165,6 +165,17 @@ fn labels_are_inside_their_drawing_and_on_no_other_label() {
         }
     }
     assert!(faults.is_empty(), "{}", faults.join("\n"));
+}
+
+#[test]
+fn ids_in_a_drawing_begin_with_the_name_of_its_figure() {
+    for figure in FIGURES.iter() {
+        let Content::Drawing { draw, .. } = figure.content else { continue };
+        let svg = draw(&figure.default_values()).svg_elements();
+        for id in svg.split(" id=\"").skip(1) {
+            assert!(id.starts_with(figure.name), "{}: {id}", figure.name);
+        }
+    }
 }
 
 /// Each handle with its position at these values, and its parameters after it is dragged.

@@ -1,7 +1,7 @@
 //! What a ball looks like at the side of a picture.
 
 use super::*;
-use std::f64::consts::{FRAC_PI_2, TAU};
+use std::f64::consts::FRAC_PI_2;
 
 /// The angle, as seen from the eye, between the centre of a ball and its outline, in degrees.
 const HALF_ANGLE: f64 = 8.0;
@@ -75,13 +75,15 @@ fn image_half_axes(degrees: f64) -> DVec2 {
 
 /// Draws a ball, its image, and the rays that touch it on both sides.
 fn draw_ball(drawing: &mut Drawing, degrees: f64) {
-    let radius = DISTANCE * HALF_ANGLE.to_radians().sin();
-    drawing.circle("object", centre_from_above(degrees), ABOVE.scale.x * radius);
+    // The same light, seen from the front and from above.
+    let DVec3 { x, y, z } = TO_LIGHT;
+    let in_picture = Shading::new("ball-outlines-image", TO_LIGHT);
+    let from_above = Shading::new("ball-outlines-ball", DVec3::new(x, -z, y));
+    let radius = ABOVE.scale.x * DISTANCE * HALF_ANGLE.to_radians().sin();
+    drawing.ball(&from_above, centre_from_above(degrees), DVec2::splat(radius));
     let [left, middle, right] = image_x(degrees);
-    let centre = dvec2((left + right) / 2.0, 0.0);
-    let outline = (0..120).map(|k| DVec2::from_angle(TAU * f64::from(k) / 120.0));
-    let outline = outline.map(|side| PICTURE.to_drawing(centre + side * image_half_axes(degrees)));
-    drawing.area("object", outline);
+    let centre = PICTURE.xy_to_drawing((left + right) / 2.0, 0.0);
+    drawing.ball(&in_picture, centre, PICTURE.scale * image_half_axes(degrees));
     let on_plane = |x: f64| ABOVE.xy_to_drawing(x, 1.0);
     for (class, x) in [("ray", left), ("guide", middle), ("ray", right)] {
         drawing.line("axis", on_plane(x), PICTURE.xy_to_drawing(x, 0.0));

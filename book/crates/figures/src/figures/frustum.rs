@@ -95,11 +95,15 @@ fn draw(values: &ParameterValues) -> Drawing {
         drawing.line("plane", upper, lower);
         drawing.label(class, upper - dvec2(0.0, 10.0), name);
     }
+    let shading = Shading::new("frustum-ball", TO_LIGHT);
     for sphere in BALLS {
         let rest = Rest::new(&sphere, planes);
-        let class = if rest == Rest::None { "behind" } else { "object" };
         let (centre, radius) = (side_view_position(sphere.centre), VIEW.scale.x * sphere.radius);
-        drawing.circle(class, centre, radius);
+        if rest == Rest::None {
+            drawing.circle("behind", centre, radius);
+        } else {
+            drawing.ball(&shading, centre, DVec2::splat(radius));
+        }
         // The label is on the side away from the other rays.
         let below = if sphere.centre.y > 0.0 { -radius - 10.0 } else { radius + 40.0 };
         drawing.label("quiet over", centre + dvec2(0.0, below), rest.label());
