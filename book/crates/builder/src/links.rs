@@ -63,6 +63,10 @@ fn addresses_in<'a>(page: &'a Page, element: &'a Element) -> Vec<(&'a str, &'a s
             // A `<base>` says where the book is, but fetches nothing.
             "href" if element.tag == "base" => {}
             "href" | "src" => addresses.push((name, value)),
+            "srcset" => {
+                let candidates = value.split(',').filter_map(|one| one.split_whitespace().next());
+                addresses.extend(candidates.map(|address| (&**name, address)));
+            }
             // This is text for readers, not an address.
             "alt" | "title" | "aria-label" => {}
             _ if value.contains("//") => addresses.push((name, value)),

@@ -9,6 +9,11 @@ use course::mistakes;
 use figures::{Figure, escape};
 use std::mem;
 
+/// How wide a picture is on a page, for a browser that chooses one of several sizes: as wide as the
+/// text, or as the window without the gutters. It's in pixels, because a rem would be the browser's
+/// here, not the page's.
+const WIDTH_ON_PAGE: &str = "(min-width: 730px) 684px, calc(100vw - 43px)";
+
 /// How a picture reacts to a reader.
 #[derive(Clone, Copy)]
 pub enum Interaction<'a> {
@@ -81,7 +86,8 @@ fn mistake_effect_of_picture(source: &str) -> Option<String> {
     Some(mistake.effect.replace('`', ""))
 }
 
-/// The HTML of a picture with this alt text, including the picture's width and height.
+/// The HTML of a picture with this alt text, including the picture's width and height. If it is the
+/// first on its page, a phone may load it in a smaller size.
 pub fn image_html(
     alt: &str,
     source: &str,
@@ -101,11 +107,26 @@ pub fn image_html(
             None => ChapterError::UnknownPicture(source),
         }
     })?;
+    let loading = loading.next();
+    let smaller = match loading {
+        Loading::AtOnce => sources.smaller_sizes(source),
+        // The page doesn't wait for these.
+        Loading::InView => vec![],
+    };
+    let srcset = if smaller.is_empty() {
+        String::new()
+    } else {
+        let own_size = (width, source.to_owned());
+        let sizes = smaller.into_iter().chain([own_size]);
+        let sizes: Vec<_> =
+            sizes.map(|(columns, source)| format!("{} {columns}w", escape(&source))).collect();
+        format!(r#" srcset="{}" sizes="{WIDTH_ON_PAGE}""#, sizes.join(", "))
+    };
     Ok(format!(
-        r#"<img src="{}" alt="{}" width="{width}" height="{height}" {}>"#,
+        r#"<img src="{}"{srcset} alt="{}" width="{width}" height="{height}" {}>"#,
         escape(source),
         escape(alt),
-        loading.next().attribute(),
+        loading.attribute(),
     ))
 }
 
@@ -136,6 +157,7 @@ pub fn figure_html(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::Page;
     use course::workspace;
 
     #[test]
@@ -159,6 +181,31 @@ mod tests {
         let mut loading = Loading::AtOnce;
         let order = [loading.next(), loading.next(), loading.next()];
         assert_eq!(order, [Loading::AtOnce, Loading::InView, Loading::InView]);
+    }
+
+    #[test]
+    fn only_the_cover_at_the_top_comes_in_several_sizes() {
+        let sources = Sources::read(&workspace()).expect("the sources");
+        let srcset_of = |name: &str, mut loading: Loading| {
+            let source = format!("generated/{name}.png");
+            let html = image_html("A picture.", &source, &sources, &mut loading);
+            let html = html.expect("a picture");
+            let page = Page::parse("a.html", &html);
+            page.elements[0].attr("srcset").map(str::to_owned)
+        };
+        assert_eq!(
+            srcset_of("cover", Loading::AtOnce).as_deref(),
+            Some(
+                "generated/cover-720.png 720w, generated/cover-960.png 960w, \
+                 generated/cover.png 1280w"
+            )
+        );
+        assert_eq!(srcset_of("cover", Loading::InView), None);
+        assert_eq!(srcset_of("mirror", Loading::AtOnce), None);
+        for columns in [720, 960] {
+            let size = sources.picture_size(&format!("generated/cover-{columns}.png"));
+            assert_eq!(size, Some((columns, columns * 9 / 16)));
+        }
     }
 
     #[test]

@@ -4,7 +4,7 @@ use crate::values::Values;
 use crate::{Files, figure_file};
 use anyhow::{Context, Result};
 use base64::prelude::{BASE64_STANDARD, Engine};
-use course::{Step, WASM_MODULES, encode_png};
+use course::{Step, WASM_MODULES, camera_with_size, encode_png};
 use image::ImageReader;
 use std::collections::BTreeMap;
 use std::fs;
@@ -14,6 +14,13 @@ use std::path::{Path, PathBuf};
 /// The folder for the files that a build generates. It is beside the chapters, and in the book
 /// beside the pages.
 pub const GENERATED: &str = "generated/";
+
+/// The columns with which step 5 draws the cover for small screens. On a phone, the cover is some 350
+/// pixels wide, and the phone has 2 or 3 of its own for each of these.
+const COVER_COLUMNS: [u32; 2] = [720, 960];
+
+/// The sub-pixels of each pixel of the cover, in each direction.
+const COVER_SAMPLES: u32 = 4;
 
 /// Everything that the chapters show.
 #[derive(Debug)]
@@ -50,6 +57,11 @@ impl Sources {
                 files.insert(format!("mistake-{name}.png"), encode_png(&picture));
             }
         }
+        for columns in COVER_COLUMNS {
+            let camera = camera_with_size(columns, columns * 9 / 16);
+            let cover = Step::Phong.picture()(&camera, COVER_SAMPLES);
+            files.insert(smaller_picture_name("cover", columns), encode_png(&cover));
+        }
         for name in WASM_MODULES {
             let module = fs::read(workspace.join(format!("book/crates/page/{name}.wasm")))
                 .with_context(|| format!("the module {name}.wasm can't be read"))?;
@@ -66,6 +78,18 @@ impl Sources {
         let file = self.generated.0.get(source.strip_prefix(GENERATED)?)?;
         ImageReader::new(Cursor::new(file)).with_guessed_format().ok()?.into_dimensions().ok()
     }
+
+    /// The columns and the addresses of a picture's smaller sizes. Only the cover has any.
+    pub fn smaller_sizes(&self, source: &str) -> Vec<(u32, String)> {
+        let name = source.strip_suffix(".png").unwrap_or(source);
+        let all = COVER_COLUMNS.map(|columns| (columns, smaller_picture_name(name, columns)));
+        all.into_iter().filter(|(_, source)| self.picture_size(source).is_some()).collect()
+    }
+}
+
+/// The name of a picture that is drawn with fewer columns than the picture called `name`.
+fn smaller_picture_name(name: &str, columns: u32) -> String {
+    format!("{name}-{columns}.png")
 }
 
 /// The name of a step's right picture, at the reduced size of the mistakes' pictures.
