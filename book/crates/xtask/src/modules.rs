@@ -45,8 +45,11 @@ fn compile(name: &'static str) -> XtaskResult<Vec<u8>> {
     let flags: Vec<_> =
         sources.map(|path| format!("--remap-path-prefix={}=", path.display())).collect();
     let folder = target_folder().join("wasm");
+    // The crate in this folder takes the place of rayon.
+    let replacement = format!("paths=[{:?}]", page_folder().join("rayon"));
     let status = cargo_command()
-        .args(["rustc", "--locked", "--package", "page", "--lib", "--profile", "wasm"])
+        .args(["rustc", "--locked", "--config", &replacement])
+        .args(["--package", "page", "--lib", "--profile", "wasm"])
         .args(["--no-default-features", "--features", name])
         .args(["--target", TARGET, "--crate-type", "cdylib", "--target-dir"])
         .arg(&folder)

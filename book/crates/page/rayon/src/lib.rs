@@ -1,0 +1,77 @@
+//! What the steps and `check` use of rayon, on one thread.
+//!
+//! A page has one thread, and there the real rayon would draw on that. But it would also compile
+//! the code that shares rows among threads once for each picture, which makes a quarter of
+//! `check.wasm`. If something more of rayon is used, the modules don't compile until it is here,
+//! too.
+
+use std::convert::Infallible;
+use std::slice;
+
+/// The traits whose methods are called like rayon's, but return ordinary iterators.
+pub mod prelude {
+    pub use crate::{IntoParallelRefIterator, ParallelBridge};
+}
+
+/// An iterator whose items rayon would share among threads.
+pub trait ParallelBridge: Iterator + Sized {
+    /// Returns the iterator itself.
+    fn par_bridge(self) -> Self {
+        self
+    }
+}
+
+impl<I: Iterator> ParallelBridge for I {}
+
+/// A list whose items rayon would share among threads.
+pub trait IntoParallelRefIterator<T> {
+    /// Returns an iterator over the list.
+    fn par_iter(&self) -> slice::Iter<'_, T>;
+}
+
+impl<T> IntoParallelRefIterator<T> for Vec<T> {
+    fn par_iter(&self) -> slice::Iter<'_, T> {
+        self.iter()
+    }
+}
+
+/// Builds a [`ThreadPool`].
+#[derive(Default)]
+pub struct ThreadPoolBuilder;
+
+impl ThreadPoolBuilder {
+    /// A builder.
+    pub fn new() -> Self {
+        Self
+    }
+
+    /// The builder itself, since there is one thread.
+    pub fn num_threads(self, _count: usize) -> Self {
+        self
+    }
+
+    /// The builder itself, since the current thread is the only one.
+    pub fn use_current_thread(self) -> Self {
+        self
+    }
+
+    /// The pool.
+    pub fn build(self) -> Result<ThreadPool, Infallible> {
+        Ok(ThreadPool)
+    }
+
+    /// Does nothing.
+    pub fn build_global(self) -> Result<(), Infallible> {
+        Ok(())
+    }
+}
+
+/// The current thread.
+pub struct ThreadPool;
+
+impl ThreadPool {
+    /// Calls a function.
+    pub fn install<T>(&self, act: impl FnOnce() -> T) -> T {
+        act()
+    }
+}
