@@ -175,7 +175,11 @@ fn quote_or_null(text: Option<impl Display>) -> String {
 
 /// The picture in the format of a canvas: red, green, blue and 255 for each pixel, row by row.
 pub fn rgba_bytes(image: &RgbImage) -> Vec<u8> {
-    image.pixels().flat_map(|Rgb([red, green, blue])| [*red, *green, *blue, 255]).collect()
+    let mut bytes = vec![255; 4 * image.as_raw().len() / 3];
+    for (rgba, Rgb([red, green, blue])) in bytes.chunks_exact_mut(4).zip(image.pixels()) {
+        (rgba[0], rgba[1], rgba[2]) = (*red, *green, *blue);
+    }
+    bytes
 }
 
 #[cfg(test)]
