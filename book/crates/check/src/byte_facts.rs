@@ -103,7 +103,7 @@ pub(crate) fn byte_curve_sentence(comparison: &Comparison, scene: &StepScene) ->
     let clauses = points.map(|(i, yours, ours)| format!("{i:.3} becomes {yours} (ours: {ours})"));
     let mut clauses = clauses.to_vec();
     clauses.dedup();
-    let values: BTreeSet<_> = curve.iter().map(|(_, yours, _)| yours).collect();
+    let values: BTreeSet<u32> = curve.iter().map(|(_, yours, _)| u32::from(*yours)).collect();
     let file = sentence_on_files_to_compare(values.len(), scene);
     Some(format!("Each byte depends only on our intensity: {}.{file}", clauses.join(", ")))
 }

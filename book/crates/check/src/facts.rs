@@ -53,7 +53,8 @@ pub(crate) fn find_facts(comparison: &Comparison) -> Vec<String> {
 
 /// Whether there are enough wrong pixels, with enough different colours in our picture.
 fn is_varied(wrong: &[Pixel]) -> bool {
-    let colours: BTreeSet<_> = wrong.iter().map(|pixel| pixel.ours).collect();
+    let number = |[red, green, blue]: [u8; 3]| u32::from_be_bytes([0, red, green, blue]);
+    let colours: BTreeSet<u32> = wrong.iter().map(|pixel| number(pixel.ours)).collect();
     wrong.len() >= MIN_PIXELS && colours.len() >= MIN_COLOURS
 }
 
@@ -75,10 +76,11 @@ fn missing_light_sentence(wrong: &[Pixel], scene: &StepScene) -> Option<String> 
     };
     let is_left_out = |choice: usize, k: usize| choice >> k & 1 == 1;
     // Leaving out all terms isn't a choice, since every pixel would be black.
-    let mut choices: Vec<usize> = (1..(1 << count) - 1).collect();
-    choices.sort_by_key(|choice| choice.count_ones());
+    let choices = 1..(1_usize << count) - 1;
+    let mut choices = (1..count as u32)
+        .flat_map(|terms| choices.clone().filter(move |choice| choice.count_ones() == terms));
     let lights = &scene.own.scene.lights;
-    let choice = choices.into_iter().find(|choice| {
+    let choice = choices.find(|choice| {
         wrong.iter().all(|Pixel { ray, hit, yours, .. }| {
             let Some(hit) = *hit else { return false };
             let ambient = scene.ambient_at_hit(hit);

@@ -59,7 +59,9 @@ pub fn row_readout(column: &str, row: usize) -> String {
 
 /// Makes readouts from pairs of a name and a text.
 pub fn collect_readouts<const N: usize>(texts: [(&str, String); N]) -> Readouts {
-    texts.map(|(name, text)| (name.into(), text)).into()
+    let mut readouts = Readouts::new();
+    readouts.extend(texts.map(|(name, text)| (name.to_owned(), text)));
+    readouts
 }
 
 /// A scene in which the reader can set everything. Its parameters belong to objects, and the page

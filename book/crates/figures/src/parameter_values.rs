@@ -119,7 +119,10 @@ impl Index<ParameterId> for ParameterValues {
 
 impl FromIterator<(ParameterId, f64)> for ParameterValues {
     fn from_iter<T: IntoIterator<Item = (ParameterId, f64)>>(pairs: T) -> Self {
-        Self(pairs.into_iter().collect())
+        // `collect` would sort the pairs first, for which a module would need 6 kB of code.
+        let mut values = BTreeMap::new();
+        values.extend(pairs);
+        Self(values)
     }
 }
 

@@ -167,7 +167,7 @@ pub fn find_mistakes_with_hash(hash: u64) -> Vec<(&'static Mistake, &'static str
             steps.map(move |(step, _)| (mistake, step.name()))
         })
         .collect();
-    mistakes_and_names.sort_by_key(|(mistake, _)| {
+    mistakes_and_names.sort_by_cached_key(|(mistake, _)| {
         let size = mistake.old.len().abs_diff(mistake.new.len());
         (mistake.shown.is_none(), mistake.new.lines().count(), size)
     });

@@ -56,7 +56,8 @@ fn draw(values: &ParameterValues) -> Drawing {
         drawing.label("strong over", VIEW.to_drawing(tip) + shift, name);
     }
     // The legend, with the widest lobe at the bottom.
-    exponents.sort_unstable();
+    exponents.pop();
+    exponents.insert(exponents.partition_point(|&n| n < reader_n), reader_n);
     for (n, (angle, y)) in
         exponents.into_iter().zip([(0.12, 226.0), (0.44, 190.0), (0.6, 154.0), (0.7, 118.0)])
     {

@@ -131,7 +131,8 @@ impl Compiler<'_> {
         let mut wanted_types = ValueType::ALL;
         if types.contains(&ValueType::Array) {
             // An array is most likely meant to be a vector, so try that first.
-            wanted_types.sort_by_key(|value_type| *value_type != ValueType::Vector);
+            let vector = wanted_types.iter().position(|one| *one == ValueType::Vector);
+            wanted_types[..=vector.unwrap_or(0)].rotate_right(1);
         }
         for value_type in wanted_types {
             for (index, part) in parts.iter().enumerate().rev() {
