@@ -76,12 +76,27 @@ pub struct EditableScene {
     pub colours: Vec<(&'static str, [ParameterId; 3])>,
 }
 
+impl Content {
+    /// Leaves out the title and the caption of a drawing in the modules that pages load, because the
+    /// builder has printed them. This and [`Figure::new`] are inlined, so the words aren't compiled.
+    #[inline(always)]
+    fn without_words_in_modules(self) -> Self {
+        match self {
+            Self::Drawing { draw, .. } if cfg!(target_family = "wasm") => {
+                Self::Drawing { title: "", caption: "", draw }
+            }
+            content => content,
+        }
+    }
+}
+
 impl Figure {
     /// A figure with this content and nothing else.
+    #[inline(always)]
     pub(crate) fn new(name: &'static str, content: Content) -> Self {
         Self {
             name,
-            content,
+            content: content.without_words_in_modules(),
             follows: None,
             parameters: vec![],
             handles: vec![],
