@@ -5,9 +5,10 @@ import { once } from 'node:events';
 import { figures } from './book.js';
 import { expect, test } from './fixtures.js';
 
-// Scrolls the figures of a page into view, one after the other. Returns the names of those that
-// don't become ready.
+// Opens the boxes of a page, and scrolls its figures into view, one after the other. Returns the
+// names of those that don't become ready.
 const wake = async () => {
+  document.querySelectorAll('details').forEach(box => { box.open = true; });
   const asleep = () => [...document.querySelectorAll('figure[data-live]:not([data-ready])')];
   for (let k = 0; k < 1000 && asleep().length; k += 1) {
     asleep()[0].scrollIntoView();
