@@ -6,12 +6,11 @@
 
 use crate::directive::{Directive, DirectiveKind, replace_directives};
 use crate::fault::{ChapterError, ChapterResult, Fault};
-use crate::folded_box::BoxKind;
 use crate::listing::ExpandedListing;
 use crate::markdown::{self, html_block};
-use crate::open_box::OpenBox;
+use crate::open_box::Boxes;
 use crate::picture::{self, Interaction, Loading};
-use crate::problem::{Heading, OpenProblem, Position, Problem};
+use crate::problem::{Heading, Position, Problem};
 use crate::{
     Sources, algorithm, check_form, console, figure, folded_box, formula, listing, mistake_gallery,
     note, numbers, pixel_panel,
@@ -65,8 +64,7 @@ pub fn expand_chapter(
         listings: vec![],
         loading: Loading::AtOnce,
         noted_blocks: vec![],
-        open_box: None,
-        missing_panel: None,
+        boxes: Boxes::default(),
     };
     chapter.expand_blocks();
     chapter.copy_until(text.len());
@@ -89,16 +87,7 @@ struct Chapter<'a> {
     loading: Loading,
     /// The ranges of the text that each cover a block and the notes after it.
     noted_blocks: Vec<Range<usize>>,
-    open_box: Option<OpenBox>,
-    missing_panel: Option<MissingPanel>,
-}
-
-/// An interactive picture with a probe whose panel hasn't begun yet.
-struct MissingPanel {
-    /// The name of the picture.
-    picture: &'static str,
-    /// The position of the picture's paragraph.
-    position: usize,
+    boxes: Boxes,
 }
 
 type Events<'a> = [(Event<'a>, Range<usize>)];
@@ -188,11 +177,8 @@ impl<'a> Chapter<'a> {
                 }
             }
         }
-        if let Some(open_box) = &self.open_box {
-            self.add_fault(open_box.start(), ChapterError::MissingEndOfBox);
-        }
-        if let Some(MissingPanel { picture, position }) = self.missing_panel {
-            self.add_fault(position, ChapterError::MissingPanel(picture));
+        for (position, error) in self.boxes.find_missing_parts() {
+            self.add_fault(position, error);
         }
     }
 
@@ -261,14 +247,14 @@ impl<'a> Chapter<'a> {
             },
             Event::Start(Tag::Strong) => {
                 let position = self.copy_until_position_pair(range.start);
-                if let Some(OpenBox::Answer(answer)) = &mut self.open_box {
+                if let Some(answer) = self.boxes.open_answer() {
                     answer.record_bold_start(position);
                 }
                 return Ok(Expansion::Keep);
             }
             Event::End(TagEnd::Strong) => {
                 let position = self.copy_until_position_pair(range.end);
-                if let Some(OpenBox::Answer(answer)) = &mut self.open_box {
+                if let Some(answer) = self.boxes.open_answer() {
                     answer.record_bold_end(position);
                 }
                 return Ok(Expansion::Keep);
@@ -362,11 +348,9 @@ impl<'a> Chapter<'a> {
             DirectiveKind::Mistakes => {
                 mistake_gallery::gallery_markdown(words, self.sources, &mut self.loading)?
             }
-            DirectiveKind::Problem if self.open_box.is_some() => {
-                return Err(ChapterError::ProblemInBox);
-            }
             DirectiveKind::Problem => {
-                self.begin_problem(words, range);
+                self.boxes.ensure_problem_can_begin()?;
+                self.expand_problem_heading(words, range);
                 return Ok(Expansion::Done);
             }
             DirectiveKind::ProblemSheet => {
@@ -375,11 +359,12 @@ impl<'a> Chapter<'a> {
                 self.expanded.sheet_position = Some(self.expanded.markdown.len() - 1);
                 return Ok(Expansion::Done);
             }
-            DirectiveKind::End => self.end_box()?,
-            DirectiveKind::PixelPanel => self.begin_panel(words, range.start)?,
+            DirectiveKind::End => self.expand_end()?,
+            DirectiveKind::PixelPanel => self.boxes.begin_panel(words, range.start)?,
             DirectiveKind::Box(kind) => {
                 let html = folded_box::opening_html(kind, words, values);
-                self.begin_folded_box(kind, range.start, html)?
+                let position = self.copy_until_position_pair(range.start);
+                self.boxes.begin_folded_box(kind, position, html)?
             }
             // The first three belong in a sentence, and the rest can't stand here at all. The text
             // inside this paragraph has an event of its own, which fills in the former and reports
@@ -394,58 +379,8 @@ impl<'a> Chapter<'a> {
         }))
     }
 
-    /// Opens a folded box, or the answer to the open problem.
-    fn begin_folded_box(
-        &mut self,
-        kind: BoxKind,
-        start: usize,
-        html: ChapterResult<String>,
-    ) -> ChapterResult<String> {
-        match self.open_box.take() {
-            Some(OpenBox::Problem(problem)) if kind == BoxKind::Answer => {
-                let answer = problem.begin_answer(self.copy_until_position_pair(start));
-                self.open_box = Some(OpenBox::Answer(answer));
-                html
-            }
-            open_box => {
-                self.open_box = open_box;
-                self.begin_box(OpenBox::Folded { start }, html)
-            }
-        }
-    }
-
-    /// Opens the panel of the picture `name`, which has to be the interactive picture above.
-    fn begin_panel(&mut self, name: &str, start: usize) -> ChapterResult<String> {
-        let picture = self.missing_panel.take_if(|panel| panel.picture == name);
-        let (html, ends_wrapper) = match picture {
-            Some(MissingPanel { picture, position }) => {
-                (Ok(pixel_panel::opening_html(picture)), !self.has_notes(position))
-            }
-            None => (Err(ChapterError::PanelWithoutPicture(name.to_owned())), false),
-        };
-        self.begin_box(OpenBox::Panel { start, ends_wrapper }, html)
-    }
-
-    /// Opens a box that isn't the answer to a problem. It counts as open even if its first line is
-    /// an error, so that its `{{#end}}` isn't reported as well. Boxes don't nest.
-    fn begin_box(&mut self, new: OpenBox, html: ChapterResult<String>) -> ChapterResult<String> {
-        match &self.open_box {
-            None => {
-                self.open_box = Some(new);
-                html
-            }
-            // The next `{{#end}}` is that of this box, and also ends the problem.
-            Some(OpenBox::Problem(problem)) => {
-                self.open_box = Some(OpenBox::Folded { start: problem.start });
-                Err(ChapterError::MissingAnswer)
-            }
-            Some(_) => Err(ChapterError::BoxInBox),
-        }
-    }
-
-    /// Opens a problem. It counts as open even if its first line is an error, so that its
-    /// `{{#end}}` isn't reported as well.
-    fn begin_problem(&mut self, words: &str, range: &Range<usize>) {
+    /// Expands the first line of a problem, after which the problem is open.
+    fn expand_problem_heading(&mut self, words: &str, range: &Range<usize>) {
         let (heading, html) = match Heading::parse(words) {
             Ok(heading) => {
                 let html = html_block(&heading.opening_html());
@@ -455,31 +390,21 @@ impl<'a> Chapter<'a> {
         };
         self.replace(range.clone(), html);
         let text_start = self.copy_until_position_pair(range.end);
-        let problem = OpenProblem { heading, start: range.start, text_start };
-        self.open_box = Some(OpenBox::Problem(problem));
+        self.boxes.begin_problem(heading, range.start, text_start);
     }
 
-    /// Closes the open box and, if it is the answer to a problem, that problem.
-    fn end_box(&mut self) -> ChapterResult<String> {
-        match self.open_box.take() {
-            Some(OpenBox::Folded { .. } | OpenBox::Panel { ends_wrapper: false, .. }) => {
-                Ok("</details>\n".to_owned())
+    /// Expands `{{#end}}`. If it ends a problem, also adds that problem to the chapter's list.
+    fn expand_end(&mut self) -> ChapterResult<String> {
+        let (html, answer) = self.boxes.end_box()?;
+        if let Some(answer) = answer {
+            let start = answer.problem.start;
+            match answer.finish(self.text, &self.expanded.markdown) {
+                Some(Ok(problem)) => self.expanded.problems.push(problem),
+                Some(Err(error)) => self.add_fault(start, error),
+                None => {}
             }
-            Some(OpenBox::Panel { ends_wrapper: true, .. }) => {
-                Ok("</details>\n".to_owned() + &note::wrapper_closing_html())
-            }
-            Some(OpenBox::Problem(_)) => Err(ChapterError::MissingAnswer),
-            Some(OpenBox::Answer(answer)) => {
-                let start = answer.problem.start;
-                match answer.finish(self.text, &self.expanded.markdown) {
-                    Some(Ok(problem)) => self.expanded.problems.push(problem),
-                    Some(Err(error)) => self.add_fault(start, error),
-                    None => {}
-                }
-                Ok("</details>\n</section>\n".to_owned())
-            }
-            None => Err(ChapterError::EndWithoutBox),
         }
+        Ok(html)
     }
 
     /// Expands a paragraph that consists only of pictures. A directive such as `{{#live
@@ -510,13 +435,8 @@ impl<'a> Chapter<'a> {
         let html = self.figures_html(&pictures, interaction)?;
         Ok(Expansion::Replace(match interaction {
             Some(Interaction::Live(picture)) if picture.probe().is_some() => {
-                self.missing_panel =
-                    Some(MissingPanel { picture: picture.name, position: range.start });
-                if self.has_notes(range.start) {
-                    html
-                } else {
-                    note::wrapper_opening_html() + &html
-                }
+                let has_notes = self.has_notes(range.start);
+                self.boxes.await_panel(picture.name, range.start, has_notes) + &html
             }
             Some(Interaction::Live(picture)) if picture.editable_scene.is_some() => {
                 self.wrap_block_with_tool(html, range.start)

@@ -1,28 +1,251 @@
-//! The box or the problem that a chapter has begun, up to its `{{#end}}`.
+//! The boxes of a chapter: which one is open, and the HTML that opens and closes it.
+//!
+//! Folded boxes, panels of pictures, and problems are all boxes. They don't nest, and the same
+//! `{{#end}}` closes any of them, so there are four states:
+//!
+//! | State | Directive | Next state |
+//! |---|---|---|
+//! | no box | `predict`, `hints`, `aside`, `answer` | simple box |
+//! | no box | `pixel-panel` | simple box |
+//! | no box | `problem` | problem |
+//! | problem | `answer` | answer |
+//! | simple box, answer | `end` | no box |
+//!
+//! Everything else is an error. After an error, the state is the one in which the next `{{#end}}`
+//! isn't reported as well: a box counts as open even if its first line is an error, and a box in a
+//! problem that has no answer yet takes the problem's place.
+//!
+//! A panel belongs to the picture with a probe above it, and one wrapper holds both, so that the
+//! panel can stand in the margin. [`Boxes::await_panel`] opens the wrapper before the picture, and
+//! decides at the same time what will close it. A picture with notes already has a wrapper, which
+//! ends with its last note.
 
-use crate::problem::{OpenAnswer, OpenProblem};
+use crate::fault::{ChapterError, ChapterResult};
+use crate::folded_box::BoxKind;
+use crate::problem::{Heading, OpenAnswer, OpenProblem, Position};
+use crate::{note, pixel_panel};
 
-/// A box or a problem whose `{{#end}}` hasn't been reached yet.
+const DETAILS_END: &str = "</details>\n";
+
+/// The boxes of a chapter that is being read from top to bottom.
+#[derive(Debug, Default)]
+pub struct Boxes {
+    open: Option<OpenBox>,
+    /// The pictures so far that need a panel and have none yet.
+    awaiting_panel: Vec<ProbedPicture>,
+}
+
+/// A box whose `{{#end}}` hasn't been reached yet.
 #[derive(Debug)]
-pub enum OpenBox {
-    /// A folded box, such as `{{#predict …}}`, that begins at this position in the chapter.
-    Folded { start: usize },
-    /// The panel of a picture. If the picture has no notes, there is a wrapper around both, which
-    /// ends with the panel.
-    Panel { start: usize, ends_wrapper: bool },
+enum OpenBox {
+    /// A folded box or the panel of a picture, which begins at `start` in the chapter and is closed
+    /// by `end_html`.
+    Simple { start: usize, end_html: String },
     /// A problem, up to its `{{#answer}}`.
     Problem(OpenProblem),
     /// The answer to a problem. One `{{#end}}` closes both.
     Answer(OpenAnswer),
 }
 
-impl OpenBox {
-    /// The position in the chapter where it begins.
-    pub fn start(&self) -> usize {
-        match self {
-            Self::Folded { start } | Self::Panel { start, .. } => *start,
-            Self::Problem(problem) => problem.start,
-            Self::Answer(answer) => answer.problem.start,
+/// An interactive picture with a probe.
+#[derive(Debug)]
+struct ProbedPicture {
+    name: &'static str,
+    /// The start of its paragraph in the chapter.
+    start: usize,
+    /// What closes the wrapper around the picture and its panel, or empty if the wrapper ends with
+    /// a note.
+    wrapper_end_html: String,
+}
+
+impl Boxes {
+    /// Records a picture with a probe that begins at `start`, so that its panel has to follow.
+    /// Returns the HTML that goes before the picture.
+    pub fn await_panel(&mut self, picture: &'static str, start: usize, has_notes: bool) -> String {
+        let (wrapper_html, wrapper_end_html) = if has_notes {
+            Default::default()
+        } else {
+            (note::wrapper_opening_html(), note::wrapper_closing_html())
+        };
+        self.awaiting_panel.push(ProbedPicture { name: picture, start, wrapper_end_html });
+        wrapper_html
+    }
+
+    /// Opens the panel of the picture `name`, which has to be the last picture with a probe.
+    pub fn begin_panel(&mut self, name: &str, start: usize) -> ChapterResult<String> {
+        let (html, wrapper_end_html) =
+            match self.awaiting_panel.pop_if(|picture| picture.name == name) {
+                Some(picture) => {
+                    (Ok(pixel_panel::opening_html(picture.name)), picture.wrapper_end_html)
+                }
+                None => (Err(ChapterError::PanelWithoutPicture(name.to_owned())), String::new()),
+            };
+        self.begin_simple_box(start, DETAILS_END.to_owned() + &wrapper_end_html)?;
+        html
+    }
+
+    /// Opens a folded box, or the answer to the open problem. `html` is the box's first line.
+    pub fn begin_folded_box(
+        &mut self,
+        kind: BoxKind,
+        position: Position,
+        html: ChapterResult<String>,
+    ) -> ChapterResult<String> {
+        if kind == BoxKind::Answer
+            && let Some(OpenBox::Problem(problem)) =
+                self.open.take_if(|open| matches!(open, OpenBox::Problem(_)))
+        {
+            self.open = Some(OpenBox::Answer(problem.begin_answer(position)));
+        } else {
+            self.begin_simple_box(position.in_text, DETAILS_END.to_owned())?;
         }
+        html
+    }
+
+    fn begin_simple_box(&mut self, start: usize, end_html: String) -> ChapterResult<()> {
+        match &self.open {
+            None => {
+                self.open = Some(OpenBox::Simple { start, end_html });
+                Ok(())
+            }
+            // The next `{{#end}}` is that of this box, and also ends the problem.
+            Some(OpenBox::Problem(problem)) => {
+                self.open = Some(OpenBox::Simple { start: problem.start, end_html });
+                Err(ChapterError::MissingAnswer)
+            }
+            Some(_) => Err(ChapterError::BoxInBox),
+        }
+    }
+
+    /// Returns an error if no problem can begin here, because a box is open.
+    pub fn ensure_problem_can_begin(&self) -> ChapterResult<()> {
+        if self.open.is_none() { Ok(()) } else { Err(ChapterError::ProblemInBox) }
+    }
+
+    /// Opens a problem, whose first line goes from `start` to `text_start`. `heading` is None if
+    /// that line is an error.
+    pub fn begin_problem(&mut self, heading: Option<Heading>, start: usize, text_start: Position) {
+        self.open = Some(OpenBox::Problem(OpenProblem { heading, start, text_start }));
+    }
+
+    /// The answer that is open, if there is one.
+    pub fn open_answer(&mut self) -> Option<&mut OpenAnswer> {
+        match &mut self.open {
+            Some(OpenBox::Answer(answer)) => Some(answer),
+            _ => None,
+        }
+    }
+
+    /// Closes the open box. Returns the HTML for that and, if the box is the answer to a problem,
+    /// the answer.
+    pub fn end_box(&mut self) -> ChapterResult<(String, Option<OpenAnswer>)> {
+        match self.open.take() {
+            Some(OpenBox::Simple { end_html, .. }) => Ok((end_html, None)),
+            Some(OpenBox::Answer(answer)) => {
+                Ok((DETAILS_END.to_owned() + "</section>\n", Some(answer)))
+            }
+            Some(OpenBox::Problem(_)) => Err(ChapterError::MissingAnswer),
+            None => Err(ChapterError::EndWithoutBox),
+        }
+    }
+
+    /// Returns what is missing at the end of the chapter, each with the position of the line that
+    /// needs it.
+    pub fn find_missing_parts(&self) -> Vec<(usize, ChapterError)> {
+        let open = self.open.iter().map(|open| {
+            let start = match open {
+                OpenBox::Simple { start, .. } => *start,
+                OpenBox::Problem(problem) => problem.start,
+                OpenBox::Answer(answer) => answer.problem.start,
+            };
+            (start, ChapterError::MissingEndOfBox)
+        });
+        let pictures = self.awaiting_panel.iter();
+        open.chain(
+            pictures.map(|picture| (picture.start, ChapterError::MissingPanel(picture.name))),
+        )
+        .collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn position(in_text: usize) -> Position {
+        Position { in_text, in_expanded: in_text }
+    }
+
+    fn begin_folded_box(boxes: &mut Boxes, kind: BoxKind) -> Result<String, String> {
+        let html = boxes.begin_folded_box(kind, position(8), Ok("html".to_owned()));
+        html.map_err(|error| error.to_string())
+    }
+
+    fn end_box(boxes: &mut Boxes) -> Result<String, String> {
+        boxes.end_box().map(|(html, _)| html).map_err(|error| error.to_string())
+    }
+
+    fn missing_parts(boxes: &Boxes) -> Vec<String> {
+        let parts = boxes.find_missing_parts().into_iter();
+        parts.map(|(position, error)| format!("{position}: {error}")).collect()
+    }
+
+    #[test]
+    fn wrapper_of_a_picture_and_its_panel_is_closed_if_it_was_opened() {
+        for (has_notes, wrappers) in [(true, 0), (false, 1)] {
+            let mut boxes = Boxes::default();
+            let opening = boxes.await_panel("step02_sphere", 0, has_notes);
+            boxes.begin_panel("step02_sphere", 9).expect("a panel");
+            let ending = end_box(&mut boxes).expect("the end");
+            assert_eq!(opening.matches("<div").count(), wrappers, "{opening}");
+            assert_eq!(ending.matches("</div>").count(), wrappers, "{ending}");
+            assert_eq!(missing_parts(&boxes), [""; 0]);
+        }
+    }
+
+    #[test]
+    fn each_picture_needs_its_own_panel() {
+        let mut boxes = Boxes::default();
+        boxes.await_panel("step02_sphere", 3, false);
+        boxes.await_panel("step03_nearest", 5, false);
+        let missing = |start, name| format!("{start}: {}", ChapterError::MissingPanel(name));
+        let [first, second] = [missing(3, "step02_sphere"), missing(5, "step03_nearest")];
+        assert_eq!(missing_parts(&boxes), [first.clone(), second.clone()]);
+        assert!(boxes.begin_panel("step02_sphere", 7).is_err(), "not the last picture");
+        end_box(&mut boxes).expect("a box");
+        boxes.begin_panel("step03_nearest", 9).expect("a panel");
+        end_box(&mut boxes).expect("a box");
+        assert_eq!(missing_parts(&boxes), [first]);
+    }
+
+    #[test]
+    fn one_end_closes_an_answer_and_its_problem() {
+        let mut boxes = Boxes::default();
+        boxes.begin_problem(None, 2, position(4));
+        boxes.ensure_problem_can_begin().expect_err("a problem is open");
+        begin_folded_box(&mut boxes, BoxKind::Answer).expect("an answer");
+        assert!(boxes.open_answer().is_some());
+        assert_eq!(missing_parts(&boxes), [format!("2: {}", ChapterError::MissingEndOfBox)]);
+        assert_eq!(end_box(&mut boxes).as_deref(), Ok("</details>\n</section>\n"));
+        boxes.ensure_problem_can_begin().expect("nothing is open");
+    }
+
+    #[test]
+    fn error_is_reported_once_although_an_end_follows() {
+        let error = |error: ChapterError| Err(error.to_string());
+        let mut boxes = Boxes::default();
+        assert_eq!(end_box(&mut boxes), error(ChapterError::EndWithoutBox));
+        begin_folded_box(&mut boxes, BoxKind::Hints).expect("a box");
+        let inner = begin_folded_box(&mut boxes, BoxKind::Hints);
+        assert_eq!(inner, error(ChapterError::BoxInBox));
+        assert_eq!(end_box(&mut boxes).as_deref(), Ok(DETAILS_END));
+
+        boxes.begin_problem(None, 2, position(4));
+        let inner = begin_folded_box(&mut boxes, BoxKind::Hints);
+        assert_eq!(inner, error(ChapterError::MissingAnswer));
+        assert_eq!(end_box(&mut boxes).as_deref(), Ok(DETAILS_END));
+
+        boxes.begin_panel("step02_sphere", 6).expect_err("no picture");
+        assert_eq!(end_box(&mut boxes).as_deref(), Ok(DETAILS_END));
     }
 }
