@@ -25,10 +25,17 @@
             this.fault = fault;
             this.isPreview = root.matches("[data-preview]");
             this.name = root.dataset.live ?? root.dataset.preview;
-            /** @type {(() => void) | undefined} */
-            this.afterShow = undefined;
-            /** @type {(() => void) | undefined} */
-            this.afterControls = undefined;
+            // What is called each time a reply, or the controls, have been shown.
+            /** @type {(() => void)[]} */
+            this.showCallbacks = [];
+            /** @type {(() => void)[]} */
+            this.controlsCallbacks = [];
+            // The pixel at which the probe was shown last, as an address has it, such as "470,120".
+            // It's null until the probe has been shown.
+            /** @type {string | null} */
+            this.pixel = null;
+            // Whether the next pixel counts as the reader's choice even if it's the same as the last.
+            this.isPixelChosenAgain = false;
             /** @type {FigureAbout} */
             this.about = book.ask(module, { request: "about", figure: this.name });
             this.parameters = new Map(this.about.parameters.map(parameter => [parameter.id, parameter]));
@@ -231,7 +238,7 @@
                 }
                 if (output) book.setText(output, texts[id]);
             }
-            this.afterControls?.();
+            for (const callback of this.controlsCallbacks) callback();
         }
 
         // Sends a request, and shows the reply. A picture has all its columns or, while something
@@ -271,7 +278,17 @@
             this.handles.forEach(handle => handle.show());
             this.showReadouts(reply);
             if (this.reset) this.reset.disabled = this.about.parameters.every(({ id }) => this.values[id] === this.defaults[id]);
-            this.afterShow?.();
+            for (const callback of this.showCallbacks) callback();
+        }
+
+        /** @param {() => void} callback */
+        afterShow(callback) {
+            this.showCallbacks.push(callback);
+        }
+
+        /** @param {() => void} callback */
+        afterControls(callback) {
+            this.controlsCallbacks.push(callback);
         }
 
         /** @param {FigureReply} reply */
@@ -328,10 +345,10 @@
         /** @param {Record<string, string>} readouts */
         showPixel({ i, j, object, seen, bytes }) {
             this.probe.element.setAttribute("aria-valuetext", `column ${i}, row ${j}: ${seen}, colour ${bytes}`);
-            const isFirst = this.pixel === undefined;
-            const isOther = !isFirst && this.pixel !== `${i},${j}`;
+            const previous = this.pixel, isChosen = this.isPixelChosenAgain || previous !== `${i},${j}`;
             this.pixel = `${i},${j}`;
-            if (isFirst) return;
+            this.isPixelChosenAgain = false;
+            if (previous === null) return;
             const swatch = book.make("span", { class: "swatch" });
             swatch.style.background = `rgb${bytes}`;
             this.controls.querySelector(".hint").replaceChildren(book.make("b", {}, seen), " ", swatch, ` ${bytes} `, ...this.makeLinks());
@@ -339,7 +356,7 @@
             /** @type {NodeListOf<HTMLElement>} */
             const names = this.panel.querySelectorAll("[data-object]");
             if (!this.isPreview) for (const name of names) name.closest("tr").classList.toggle("hit", name.dataset.object === object);
-            if (isOther) this.followPixel();
+            if (isChosen) this.followPixel();
         }
 
         // Makes what leads to the chosen pixel: in a preview, a link to the panel on the same page;
@@ -362,10 +379,16 @@
             this.addressTimer = setTimeout(() => writeHash(PIXEL + this.pixel), REST);
         }
 
+        // Makes the next pixel that is shown count as a choice, even if it's the same as before.
+        choosePixelAgain() {
+            this.isPixelChosenAgain = true;
+        }
+
         // Goes back to the default pixel, as if the reader had chosen none.
         forgetPixel() {
             const { horizontal, vertical } = this.probe.about;
             this.pixel = `${this.defaults[horizontal]},${this.defaults[vertical]}`;
+            this.isPixelChosenAgain = false;
             clearTimeout(this.addressTimer);
             if (location.hash.startsWith(PIXEL)) writeHash("");
         }
@@ -395,7 +418,7 @@
                 const isDragged = Math.hypot(clientX - pressed.clientX, clientY - pressed.clientY) > 2;
                 const isOnHandle = !isDragged && this.handles.some(({ element }) => element === target);
                 if (target !== this.output && !isOnCross && !isOnHandle) return;
-                this.pixel = ""; // So that choosing the same pixel again counts as a choice.
+                this.choosePixelAgain();
                 if (isOnCross) this.drawNextFrame({ request: "read" });
                 else this.drawNextFrame({ request: "drag", handle: this.probe.index, position: this.positionOfPointer(event) });
                 if (!isOnHandle) this.probe.element.focus({ preventScroll: true });
@@ -464,7 +487,7 @@
         if (!figure) return;
         figure.setValue(figure.probe.about.horizontal, i);
         figure.setValue(figure.probe.about.vertical, j);
-        figure.pixel = "";
+        figure.choosePixelAgain();
         figure.drawMoving({ request: "show" });
         figure.probe.element.focus({ preventScroll: true });
     }

@@ -15,11 +15,7 @@
         dragObjects(figure);
         if (figure.isPreview) followLink(figure);
         else addTools(figure);
-        const { afterShow } = figure;
-        figure.afterShow = () => {
-            afterShow();
-            markCoveredBalls(figure);
-        };
+        figure.afterShow(() => markCoveredBalls(figure));
         markCoveredBalls(figure);
     };
 
@@ -64,11 +60,11 @@
             figure.draw();
         });
         figure.controls.querySelector(".hint").append(" ", reset);
-        figure.afterShow = () => {
+        figure.afterShow(() => {
             const { address } = figure.reply;
             link.hash = address ? SCENE + address : "";
             reset.hidden = !address;
-        };
+        });
     }
 
     // Adds Undo and Redo. Returns a function that records the values of the scene, to be called
@@ -114,10 +110,10 @@
             else if (location.hash.startsWith(SCENE)) history.replaceState(null, "", location.pathname);
             keepState();
         };
-        figure.afterShow = () => {
+        figure.afterShow(() => {
             clearTimeout(restTimer);
             restTimer = setTimeout(writeAddress, 200);
-        };
+        });
         const openScene = () => {
             // A link to a heading has replaced the scene in the address. The page has scrolled to
             // the heading by now, so the address can hold the scene again.
@@ -162,14 +158,15 @@
             findChannels().forEach((channel, k) => figure.setValue(channel, bytes[k] / 255));
             figure.drawNextFrame({ request: "show" });
         });
-        figure.afterControls = () => {
+        const showColour = () => {
             const channels = findChannels();
             label.hidden = !channels;
             if (!channels) return;
             const bytes = channels.map(channel => Math.round(255 * Math.min(figure.values[channel], 1)));
             field.value = `#${bytes.map(byte => byte.toString(16).padStart(2, "0")).join("")}`;
         };
-        figure.afterControls();
+        figure.afterControls(showColour);
+        showColour();
     }
 
     /** @param {InteractiveFigure} figure @param {AddTool} addTool @param {() => void} writeAddress */

@@ -318,10 +318,10 @@ interface InteractiveFigure {
   objectSelect: HTMLSelectElement | null;
   /** Width and height, in the figure's own coordinates. */
   size: number[];
-  /** Called each time a reply has been shown. */
-  afterShow?: () => void;
-  /** Called each time the controls have been shown. */
-  afterControls?: () => void;
+  /** Has this called each time a reply has been shown. */
+  afterShow(callback: () => void): void;
+  /** Has this called each time the controls have been shown. */
+  afterControls(callback: () => void): void;
   setValue(id: string, value: number): void;
   /** Whether there is something to show if one of the values is this. */
   canShow(id: string, value: number): boolean;
