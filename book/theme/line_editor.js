@@ -237,7 +237,7 @@
         } else if (isBook(line)) {
             say(undone + (linkFault || `This is the book’s line. Change it: there are numbers, operators, methods such as .sin(), if, let, and these names:\n${reply.names.join(", ")}`));
         } else {
-            say(undone + (reply.known || "Drawn with what you wrote. The address of the page holds it now."));
+            say(undone + (reply.note || "Drawn with what you wrote. The address of the page holds it now."));
         }
         if (isInView) keepInView();
     }

@@ -218,11 +218,11 @@ interface CheckReply extends Pixels {
 }
 
 /**
- * The reply to edited lines: a picture and what is known about it, or what is wrong with one of the
+ * The reply to edited lines: a picture and a note about it, or what is wrong with one of the
  * lines.
  */
 interface EditReply extends Pixels {
-  known?: string;
+  note?: string;
   names?: string[];
   line?: string;
   from?: number;

@@ -4,6 +4,10 @@ use course::{Mistake, Step, draw_with_difference, json};
 use image::RgbImage;
 use std::fmt::{self, Display, Formatter};
 
+/// The exit code if the arguments are wrong or nothing could be compared. [`Verdict::exit_code`] has
+/// the others.
+pub const FAILURE_EXIT_CODE: u8 = 2;
+
 /// The verdict on a picture that was compared with ours.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Verdict {

@@ -52,7 +52,7 @@ mod transformed;
 mod undrawn;
 mod wrong_pixel;
 
-pub use answer::{Answer, Cause, ComparedPictures, Verdict};
+pub use answer::{Answer, Cause, ComparedPictures, FAILURE_EXIT_CODE, Verdict};
 pub use check::{CheckError, check_png, check_scene_png};
 pub use class::{
     ClassReport, FolderError, NamesError, OwnReport, SheetError, WriteFolderError, format_sheet,

@@ -1,9 +1,9 @@
 //! The command-line program `check`: its options, its output and its exit code.
 
 use check::{
-    Answer, CheckError, ClassReport, OwnReport, check_png, check_scene_png, escape_for_terminal,
-    format_sheet, normalize_name, read_bounded_file, read_names, report_on_class,
-    report_on_own_pictures, run_on_threads, write_sheets,
+    Answer, CheckError, ClassReport, FAILURE_EXIT_CODE, OwnReport, check_png, check_scene_png,
+    escape_for_terminal, format_sheet, normalize_name, read_bounded_file, read_names,
+    report_on_class, report_on_own_pictures, run_on_threads, write_sheets,
 };
 use clap::builder::{NonEmptyStringValueParser, PossibleValuesParser, TypedValueParser};
 use clap::{ArgGroup, Parser};
@@ -119,9 +119,6 @@ impl Output {
     }
 }
 
-/// The exit code if the arguments are wrong or nothing could be compared.
-const FAILURE: u8 = 2;
-
 fn main() -> ExitCode {
     let arguments = match Arguments::try_parse() {
         Ok(arguments) => arguments,
@@ -144,7 +141,7 @@ fn main() -> ExitCode {
                 Form::Json => writeln!(io::stdout(), "{}", error_to_json(&error.to_string())),
                 Form::Plain | Form::Csv => writeln!(io::stderr(), "error: {error}"),
             };
-            FAILURE.into()
+            FAILURE_EXIT_CODE.into()
         }
     }
 }
@@ -159,7 +156,7 @@ fn print_usage_error(error: &clap::Error) -> ExitCode {
         true => writeln!(io::stdout(), "{}", error_to_json(&text)),
         false => writeln!(io::stderr(), "{text}"),
     };
-    FAILURE.into()
+    FAILURE_EXIT_CODE.into()
 }
 
 fn error_to_json(message: &str) -> String {

@@ -1,6 +1,6 @@
 //! Replies to requests to check a picture.
 
-use ::check::{Answer, CheckError, check_png, check_scene_png};
+use ::check::{Answer, CheckError, FAILURE_EXIT_CODE, check_png, check_scene_png};
 use course::json;
 use figures::Reply;
 
@@ -25,7 +25,8 @@ fn report(result: Result<Answer, CheckError>) -> Reply {
         Ok(answer) => answer,
         Err(error) => {
             let lines = json::list([json::quote(&error.to_string())]);
-            return Reply::from_json_fields([("code", "2".to_owned()), ("lines", lines)]);
+            let code = FAILURE_EXIT_CODE.to_string();
+            return Reply::from_json_fields([("code", code), ("lines", lines)]);
         }
     };
     let lines = json::list(answer.lines().iter().map(|line| json::quote(line)));

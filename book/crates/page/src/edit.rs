@@ -101,7 +101,7 @@ impl<'a> Edit<'a> {
                 let names = place.variables.iter().map(|(name, _)| json::quote(name));
                 let reply = Reply::from_json_fields([
                     ("size", json::list([picture.width(), picture.height()])),
-                    ("known", json::quote(&note)),
+                    ("note", json::quote(&note)),
                     ("names", json::list(names)),
                 ]);
                 Reply { pixels: figures::rgba_bytes(&picture), ..reply }

@@ -18,6 +18,10 @@ mod exports;
 mod json;
 mod request;
 
+// Each request needs the feature that replies to it.
+#[cfg(all(test, feature = "check", feature = "expressions", feature = "live"))]
+mod tests;
+
 use figures::Reply;
 pub use request::{EditedLine, Request, RequestError};
 

@@ -136,8 +136,8 @@ fn reply_is_about_the_lines_and_no_others() {
             "Not one pixel differs",
         ),
         (&[("normal", "p - sphere.centre")], "n is not a unit vector"),
-        (&[("normal", "p - sphere.centre"), ("byte", "255.0 * intensity + 0.5")], "\"known\":\"\""),
-        (&[("byte", "intensity + 0.5")], "\"known\":\"\""),
+        (&[("normal", "p - sphere.centre"), ("byte", "255.0 * intensity + 0.5")], "\"note\":\"\""),
+        (&[("byte", "intensity + 0.5")], "\"note\":\"\""),
         (
             &[("normal", "p"), ("attenuation", "(1.0")],
             "\"line\":\"attenuation\",\"from\":0,\"to\":1",
