@@ -102,7 +102,7 @@ fn rustc_judges_made_lines() {
     let mut place = Place {
         index: 0,
         name: "",
-        file: "",
+        file: "step05_phong/src/phong.rs",
         has_vectors: true,
         code: "",
         value_type: ValueType::F64,
