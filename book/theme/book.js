@@ -124,9 +124,11 @@ const book = /** @type {any} */ ({ root: document.documentElement });
     // Once a part of the page has come near the view, it stays laid out.
     book.whenNear(document.querySelectorAll("main > *"), part => { part.style.contentVisibility = "visible"; });
 
-    // Theme: the system's choice, light or dark.
+    // The theme: auto, which is the system's choice, then the one that the system hasn't chosen, so
+    // that the first click changes something, then the other.
     {
-        const themes = ["auto", "light", "dark"];
+        const others = matchMedia("(prefers-color-scheme: dark)").matches ? ["light", "dark"] : ["dark", "light"];
+        const themes = ["auto", ...others];
         const button = document.getElementById("theme-toggle");
         /** @param {string} theme */
         const show = theme => {

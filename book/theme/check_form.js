@@ -23,7 +23,13 @@
     // Makes elements for the lines of a reply and for its pictures, which are placed side by side.
     /** @param {CheckReply} reply */
     function makeReport({ lines: [headline, ...details], size, pixels }) {
-        const report = book.make("span", { class: "report" }, book.make("b", {}, headline), details.join("\n"));
+        // In a listed mistake, the right lines have a minus, and what was written instead a plus.
+        const parts = details.map((line, k) => {
+            const text = k + 1 < details.length ? `${line}\n` : line;
+            if (line.startsWith("  - ")) return book.make("del", {}, text);
+            return line.startsWith("  + ") ? book.make("ins", {}, text) : text;
+        });
+        const report = book.make("span", { class: "report" }, book.make("b", {}, headline), ...parts);
         if (!size) return [report];
         const width = size[0] / 3;
         const panels = LABELS.map((label, k) => {

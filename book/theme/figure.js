@@ -197,11 +197,21 @@
                 this.setValue(id, value);
                 this.drawNextFrame({ request: "show" });
             });
+            // A finger that scrolls the page across a slider moves the slider first. Once the
+            // browser scrolls, put the value back.
+            let before = this.values[id];
+            input.addEventListener("pointerdown", () => { before = this.values[id]; });
+            input.addEventListener("pointercancel", () => {
+                if (before === this.values[id]) return;
+                this.setValue(id, before);
+                this.drawNextFrame({ request: "show" });
+            });
             // Unlike a number field, a text field also accepts 58,72 and 1/2. When the reader
             // leaves it, the nearest allowed number replaces what was typed. The arrow keys step as
             // in a number field.
             if (input.type !== "number") return;
             input.type = "text";
+            input.addEventListener("focus", () => input.select());
             input.addEventListener("change", () => { input.value = String(this.values[id]); });
             input.addEventListener("keydown", event => {
                 const steps = { ArrowUp: 1, ArrowDown: -1 }[event.key];
@@ -359,17 +369,17 @@
             if (isChosen) this.followPixel();
         }
 
-        // Makes what leads to the chosen pixel: in a preview, a link to the panel on the same page;
-        // in other pictures, a button that copies a link to the pixel.
+        // Makes what leads to the chosen pixel: a button that copies a link to it, and in a preview
+        // also a link to the panel on the same page.
         makeLinks() {
             if (!this.panel) return [];
-            if (this.isPreview) return [book.make("a", { href: PIXEL + this.pixel }, "The whole sum")];
             this.copyLink ??= book.make("button", { type: "button", class: "copy" }, "Copy link");
             this.copyLink.onclick = () => {
                 writeHash(PIXEL + this.pixel);
                 book.copyAndReport(this.copyLink, location.href);
             };
-            return [this.copyLink];
+            if (!this.isPreview) return [this.copyLink];
+            return [book.make("a", { href: PIXEL + this.pixel }, "The whole sum"), " ", this.copyLink];
         }
 
         // Opens the panel, and writes the pixel into the address once the probe is at rest.

@@ -33,7 +33,7 @@
     const status = book.make("p", { role: "status" });
     const undo = button("↶", () => show(-1), "Undo");
     const redo = button("↷", () => show(1), "Redo");
-    const reset = button("Reset", () => { setText(selected, selected.dataset.book); selected.focus(); draw(LARGE); });
+    const reset = button("Reset", () => { undone = ""; setText(selected, selected.dataset.book); selected.focus(); draw(LARGE); });
     const copyLine = button("Copy line", () => book.copyAndReport(copyLine, readText(selected), "Line copied"));
     const copyLink = button("Copy link", () => { record(); book.copyAndReport(copyLink, location.href, "Link copied"); });
     const close = button("✕", () => { const line = selected; deselect(); line.focus(); }, "Close");

@@ -96,7 +96,7 @@ test('everything works under a policy without inline scripts', async ({ browser 
     await expect(form.locator('output')).toContainText('Right', { timeout: 20_000 });
     await page.locator('#theme-toggle').click();
     await page.reload();
-    await expect(page.locator('html')).toHaveAttribute('data-theme', 'light');
+    await expect(page.locator('html')).toHaveAttribute('data-theme', 'dark');
     await expect(page.locator('html')).toHaveClass(/js/);
   });
 });
@@ -106,7 +106,7 @@ test('if a server allows no trusted types, a page says what is missing', async (
     await page.goto(home + name);
     await expect(page.locator('.missing')).toHaveText(/did not load.*Content-Security-Policy/);
     await page.locator('#theme-toggle').click();
-    await expect(page.locator('html')).toHaveAttribute('data-theme', 'light');
+    await expect(page.locator('html')).toHaveAttribute('data-theme', 'dark');
   });
   // If the policy doesn't require trusted types, nothing is missing.
   const policy = POLICY.replace(`; require-trusted-types-for 'script'`, '');
