@@ -32,6 +32,13 @@ test('a typed number that a figure cannot use is explained', async ({ page, home
     await field.fill(text);
     await expect(figure.locator('.refused')).toHaveText(words);
   }
+  // A finger that scrolls the page across a slider leaves it where it was.
+  const slider = figure.getByRole('slider', { name: 'a of your curve' });
+  const value = await slider.inputValue();
+  await slider.dispatchEvent('pointerdown');
+  await slider.fill('2');
+  await slider.dispatchEvent('pointercancel');
+  await expect(slider).toHaveValue(value);
 });
 
 test('labels of drawings do not overlap, and no handle covers one', async ({ page, home }) => {
