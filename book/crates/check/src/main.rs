@@ -72,6 +72,61 @@ fn locked_name_parser() -> PossibleValuesParser {
     PossibleValuesParser::new(names_of_right_pictures())
 }
 
+/// An error of any task. The program only prints it.
+type AnyError = Box<dyn Error + Send + Sync>;
+
+/// What the program is asked to do. Each task is a use of the program with options of its own.
+enum Task {
+    /// `check FILE`: checks one picture.
+    CheckFile { file: PathBuf, expected: Expected },
+    /// `check`: checks the pictures of the course that are in the current folder. A picture that
+    /// is required is reported even if it is missing.
+    CheckFolder { required: Vec<&'static str> },
+    /// `check --in FOLDER`: checks the pictures of a class. With the students' names, also says
+    /// whose folder is missing.
+    ReportOnClass { folder: PathBuf, students: Option<Vec<String>>, required: Vec<&'static str> },
+    /// `check --scene NAME`: prints the sheet for one name.
+    PrintSheet { name: String, secret: Option<String> },
+    /// `check --names FILE --out FOLDER`, or with `--scene NAME` for one name: writes a sheet for
+    /// each name into a new folder, and the answers to their problems if they are asked for.
+    WriteSheets { names: Vec<String>, secret: Option<String>, answers: bool, folder: PathBuf },
+}
+
+/// The picture that a file should be.
+enum Expected {
+    /// The locked picture with this name, or with the name of the file.
+    Locked(Option<String>),
+    /// The picture of the scene of this student's name.
+    SceneOf(String),
+}
+
+impl Task {
+    /// Returns the task that the arguments describe. Reads the file with the names of a class if
+    /// there is one.
+    ///
+    /// The options that decide (a file, `--in`, `--out`) exclude each other, and clap has refused
+    /// any option that doesn't belong to the task.
+    fn from_arguments(arguments: Arguments) -> Result<Self, AnyError> {
+        let Arguments { file, name, folder, scene, names, out, answers, secret, require, .. } =
+            arguments;
+        let names = names.as_deref().map(read_names).transpose()?;
+        let required = required_names(&require);
+        Ok(match (file, folder, out, scene) {
+            (Some(file), _, _, Some(owner)) => {
+                Self::CheckFile { file, expected: Expected::SceneOf(owner) }
+            }
+            (Some(file), _, _, None) => Self::CheckFile { file, expected: Expected::Locked(name) },
+            (None, Some(folder), _, _) => Self::ReportOnClass { folder, students: names, required },
+            (None, None, Some(folder), scene) => {
+                let names = names.into_iter().flatten().chain(scene).collect();
+                Self::WriteSheets { names, secret, answers, folder }
+            }
+            (None, None, None, Some(name)) => Self::PrintSheet { name, secret },
+            (None, None, None, None) => Self::CheckFolder { required },
+        })
+    }
+}
+
 /// The output of the program if it succeeds.
 enum Output {
     /// The answer about one picture.
@@ -131,7 +186,7 @@ fn main() -> ExitCode {
         _ => Form::Plain,
     };
     // Write errors are ignored: whatever reads our output may have closed the pipe.
-    match run_on_threads(|| run(arguments)) {
+    match run_on_threads(|| Task::from_arguments(arguments).and_then(run)) {
         Ok(output) => {
             let _ = writeln!(io::stdout(), "{}", output.format(form).trim_end());
             output.exit_code().into()
@@ -163,23 +218,20 @@ fn error_to_json(message: &str) -> String {
     json::object([("error", json::quote(message))])
 }
 
-/// Carries out what the arguments ask for.
-fn run(arguments: Arguments) -> Result<Output, Box<dyn Error + Send + Sync>> {
-    let names = arguments.names.as_deref().map(read_names).transpose()?;
-    let Arguments { file, name, folder, scene, out, answers, secret, require, .. } = arguments;
-    let required = required_names(&require);
-    let secret = secret.as_deref();
-    Ok(if let Some(file) = file {
-        Output::Answer(check_file(&file, name.as_deref(), scene.as_deref())?)
-    } else if let Some(folder) = out {
-        let names = names.or(scene.map(|scene| vec![scene])).unwrap_or_default();
-        Output::Text(write_sheets(&names, secret, answers, &folder)?)
-    } else if let Some(scene) = scene {
-        Output::Text(format_sheet(&scene, secret))
-    } else if let Some(folder) = folder {
-        Output::ClassReport(report_on_class(&folder, names.as_deref(), &required)?)
-    } else {
-        Output::OwnReport(report_on_own_pictures(Path::new("."), &required)?)
+/// Carries out the task.
+fn run(task: Task) -> Result<Output, AnyError> {
+    Ok(match task {
+        Task::CheckFile { file, expected } => Output::Answer(check_file(&file, &expected)?),
+        Task::CheckFolder { required } => {
+            Output::OwnReport(report_on_own_pictures(Path::new("."), &required)?)
+        }
+        Task::ReportOnClass { folder, students, required } => {
+            Output::ClassReport(report_on_class(&folder, students.as_deref(), &required)?)
+        }
+        Task::PrintSheet { name, secret } => Output::Text(format_sheet(&name, secret.as_deref())),
+        Task::WriteSheets { names, secret, answers, folder } => {
+            Output::Text(write_sheets(&names, secret.as_deref(), answers, &folder)?)
+        }
     })
 }
 
@@ -192,15 +244,13 @@ fn required_names(require: &[String]) -> Vec<&'static str> {
 }
 
 /// Checks one picture. If there is a difference to show, saves a picture of it.
-fn check_file(
-    file: &Path,
-    name: Option<&str>,
-    scene_owner: Option<&str>,
-) -> Result<Answer, CheckError> {
+fn check_file(file: &Path, expected: &Expected) -> Result<Answer, CheckError> {
     let (png, file_name) = (read_bounded_file(file)?, file.display().to_string());
-    let mut answer = match scene_owner {
-        Some(owner) => check_scene_png(&png, &file_name, owner)?,
-        None => check_png(&png, &file_name, name, read_locked_picture)?,
+    let mut answer = match expected {
+        Expected::Locked(name) => {
+            check_png(&png, &file_name, name.as_deref(), read_locked_picture)?
+        }
+        Expected::SceneOf(owner) => check_scene_png(&png, &file_name, owner)?,
     };
     if let Some(difference) = answer.draw_comparison() {
         answer.details.push(save_difference(&difference, file));
