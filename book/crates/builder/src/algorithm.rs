@@ -1,14 +1,14 @@
 //! An algorithm in words: the content of a fence `algorithm`. Some of its lines end with the step
 //! that implements them, such as `step 1`.
 
-use figures::escape;
+use course::escape_html;
 
 /// The HTML of an algorithm. The name of a step, which is set off by at least two spaces, gets an
 /// element of its own, so that the style can put it below its line on a narrow screen.
 pub fn algorithm_html(text: &str) -> String {
     let lines = text.split_inclusive('\n').map(|line| match split_line(line) {
-        Some((words, step)) => format!("{}<span>{}</span>", escape(words), escape(step)),
-        None => escape(line),
+        Some((words, step)) => format!("{}<span>{}</span>", escape_html(words), escape_html(step)),
+        None => escape_html(line),
     });
     format!("<pre class=\"algorithm\"><code>{}</code></pre>\n", lines.collect::<String>())
 }

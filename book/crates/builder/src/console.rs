@@ -2,7 +2,7 @@
 
 use crate::fault::{ChapterError, ChapterResult};
 use crate::markdown::html_block;
-use figures::escape;
+use course::escape_html;
 
 /// The kinds of consoles. They differ in the folder for which the commands are meant, and in how
 /// the last of these ends.
@@ -56,7 +56,7 @@ pub fn console_markdown(words: &str, commands: &str) -> ChapterResult<String> {
     };
     let folder = kind.attribute();
     // The prompt gets its own element, so that the stylesheet can keep it from being copied.
-    let commands = format!("\n{}", escape(commands)).replace("\n$ ", "\n<span>$ </span>");
+    let commands = format!("\n{}", escape_html(commands)).replace("\n$ ", "\n<span>$ </span>");
     let caption = format!(
         "<figure class=\"console\" aria-label=\"Commands\" data-folder=\"{folder}\">{caption}"
     );

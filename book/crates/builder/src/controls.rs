@@ -1,6 +1,7 @@
 //! The controls below an interactive figure.
 
-use figures::{Figure, Parameter, ParameterKind, escape, italic_letter};
+use course::escape_html;
+use figures::{Figure, Parameter, ParameterKind, italic_letter};
 
 const HINT: &str = "<span class=\"hint\">Click or tap the picture, or move the cross \
                     with the arrow keys, to choose a pixel.</span>";
@@ -35,8 +36,10 @@ pub fn controls_html(figure: &Figure) -> String {
         let mut objects: Vec<_> =
             figure.parameters.iter().filter_map(|parameter| parameter.id.object()).collect();
         objects.dedup();
-        let options: String =
-            objects.iter().map(|object| format!("<option>{}</option>", escape(object))).collect();
+        let options: String = objects
+            .iter()
+            .map(|object| format!("<option>{}</option>", escape_html(object)))
+            .collect();
         format!(
             "<div class=\"choice\"><label>Change <select>{options}</select></label>\
              {above}{RESET}</div>{below}"
@@ -65,7 +68,7 @@ fn folded_fields_html(exact: &[Control]) -> String {
     };
     let rows = exact.chunk_by(is_same_row).map(|row| {
         let fields: String = row.iter().map(Control::html).collect();
-        let label = escape(object(&row[0]).unwrap_or(&row[0].parameter.label));
+        let label = escape_html(object(&row[0]).unwrap_or(&row[0].parameter.label));
         format!("<div class=\"row\"><span>{label}</span>{fields}</div>")
     });
     let rows: String = rows.collect();
@@ -110,7 +113,7 @@ impl Control<'_> {
         let Parameter { id, symbol, label, unit, range: [min, max], default, .. } = self.parameter;
         let step = self.parameter.step();
         let range = format!("min=\"{min}\" max=\"{max}\" step=\"{step}\" value=\"{default}\"");
-        let name = escape(format!("{symbol} {label}").trim());
+        let name = escape_html(format!("{symbol} {label}").trim());
         let slider = format!("<input type=\"range\" {range} aria-label=\"{name}\">");
         let number = format!("<input type=\"number\" aria-label=\"{name}\" {range}>");
         let label_element = label_html(symbol, label);
@@ -121,23 +124,23 @@ impl Control<'_> {
                 ("switch", format!("<label>{label_element}{field}</label>"))
             }
             ParameterKind::Choice(_) => {
-                let text = escape(&self.parameter.format(*default));
+                let text = escape_html(&self.parameter.format(*default));
                 let text = format!("<b aria-hidden=\"true\">{text}</b>");
                 ("range", format!("<label>{label_element}{slider}</label>{text}"))
             }
             ParameterKind::Number if self.is_folded() => {
                 let symbol_element = label_html(symbol, "");
-                ("field", format!("<label>{symbol_element} {number}{}</label>", escape(unit)))
+                ("field", format!("<label>{symbol_element} {number}{}</label>", escape_html(unit)))
             }
             ParameterKind::Number => {
-                let field = format!("<span>{number}{}</span>", escape(unit));
+                let field = format!("<span>{number}{}</span>", escape_html(unit));
                 ("range", format!("<label>{label_element}{slider}</label>{field}"))
             }
         };
         let hidden = if self.is_shown_at_first() { "" } else { " hidden" };
         let object = self
             .object()
-            .map_or(String::new(), |object| format!(" data-object=\"{}\"", escape(object)));
+            .map_or(String::new(), |object| format!(" data-object=\"{}\"", escape_html(object)));
         format!("<div class=\"{class}\" data-parameter=\"{id}\"{object}{hidden}>{content}</div>")
     }
 }
@@ -146,9 +149,11 @@ fn label_html(symbol: &str, label: &str) -> String {
     let symbol: String = symbol.chars().map(italic_letter).collect();
     let symbol = match symbol.as_str() {
         "" => symbol,
-        _ => format!("<span class=\"symbol\" aria-hidden=\"true\">{}</span> ", escape(&symbol)),
+        _ => {
+            format!("<span class=\"symbol\" aria-hidden=\"true\">{}</span> ", escape_html(&symbol))
+        }
     };
-    format!("<span>{symbol}{}</span>", escape(label))
+    format!("<span>{symbol}{}</span>", escape_html(label))
 }
 
 #[cfg(test)]

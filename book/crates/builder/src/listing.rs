@@ -5,8 +5,8 @@ use crate::Sources;
 use crate::fault::{ChapterError, ChapterResult};
 use crate::files::{CHAPTERS, resolve_path};
 use crate::markdown::{html_block, with_break_hints};
-use course::{Place, Step};
-use figures::{escape, find_figure};
+use course::{Place, Step, escape_html};
+use figures::find_figure;
 use std::fs;
 use std::ops::Range;
 use std::path::Path;
@@ -114,7 +114,7 @@ impl Listing<'_> {
         let short_path = path.strip_prefix("steps/").unwrap_or(path);
         let name_start = short_path.rfind('/').map_or(0, |slash| slash + 1);
         let (folder, file) = short_path.split_at(name_start);
-        let [folder, file] = [folder, file].map(|name| with_break_hints(&escape(name)));
+        let [folder, file] = [folder, file].map(|name| with_break_hints(&escape_html(name)));
         let part = self.extent.words();
         let part =
             part.map_or(String::new(), |part| format!(r#" <span class="part">{part}</span>"#));
@@ -136,7 +136,7 @@ impl Listing<'_> {
             attributes.push(("id", id.clone()));
             ids.push(id);
         }
-        attributes.push(("data-path", escape(self.path)));
+        attributes.push(("data-path", escape_html(self.path)));
         // The stylesheet for paper keeps it in one piece.
         if self.code.lines().count() <= SHORT {
             attributes.push(("data-short", String::new()));

@@ -7,8 +7,7 @@ use crate::markdown::{html_block, inline_html};
 use crate::picture::{self, Loading};
 use crate::sources::small_picture_name;
 use crate::values::Values;
-use course::{Mistake, MistakePicture, ShownMistake, Step, mistakes};
-use figures::escape;
+use course::{Mistake, MistakePicture, ShownMistake, Step, escape_html, mistakes};
 
 /// The Markdown for `{{#mistakes step01_rays}}`: first a contact sheet of the mistakes that show in
 /// that step's picture, then a section for each mistake, with its picture, our picture, their
@@ -95,13 +94,14 @@ fn title_html(Mistake { title, .. }: &Mistake, values: &Values) -> ChapterResult
 fn changed_lines_html(mistake: &Mistake) -> String {
     let path = mistake.file.strip_prefix("steps/").unwrap_or(&mistake.file);
     let lines = |tag: &str, sign: &str, text: &str| {
-        let lines =
-            text.lines().map(|line| format!("<{tag}>{sign} {}</{tag}>\n", escape(line.trim_end())));
+        let lines = text
+            .lines()
+            .map(|line| format!("<{tag}>{sign} {}</{tag}>\n", escape_html(line.trim_end())));
         lines.collect::<String>()
     };
     format!(
         "<figure class=\"diff\"><figcaption>{}</figcaption><pre>{}</pre></figure>",
-        escape(path),
+        escape_html(path),
         (lines("del", "−", &mistake.old) + &lines("ins", "+", &mistake.new)).trim_end(),
     )
 }

@@ -5,8 +5,8 @@ use crate::fault::{ChapterError, ChapterResult};
 use crate::markdown::inline_html;
 use crate::sources::Sources;
 use crate::values::Values;
-use course::mistakes;
-use figures::{Figure, escape};
+use course::{escape_html, mistakes};
+use figures::Figure;
 use std::mem;
 
 /// How wide a picture is on a page, for a browser that chooses one of several sizes: as wide as the
@@ -119,13 +119,13 @@ pub fn image_html(
         let own_size = (width, source.to_owned());
         let sizes = smaller.into_iter().chain([own_size]);
         let sizes: Vec<_> =
-            sizes.map(|(columns, source)| format!("{} {columns}w", escape(&source))).collect();
+            sizes.map(|(columns, source)| format!("{} {columns}w", escape_html(&source))).collect();
         format!(r#" srcset="{}" sizes="{WIDTH_ON_PAGE}""#, sizes.join(", "))
     };
     Ok(format!(
         r#"<img src="{}"{srcset} alt="{}" width="{width}" height="{height}" {}>"#,
-        escape(source),
-        escape(alt),
+        escape_html(source),
+        escape_html(alt),
         loading.attribute(),
     ))
 }

@@ -10,8 +10,8 @@
 //! All numbers of a figure are computed together and cached, since chapters use several of them.
 
 use crate::fault::{ChapterError, ChapterResult};
-use course::{camera, colour_without_gate, largest_channel_difference, primary_rays};
-use figures::{Figure, Readouts, discriminant, format_count};
+use course::{camera, colour_without_gate, discriminant, largest_channel_difference, primary_rays};
+use figures::{Figure, Readouts, format_count};
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
 use std::sync::{Mutex, PoisonError};

@@ -1,6 +1,6 @@
 //! A scene, drawn by the functions of a step.
 
-use course::{OwnScene, Step, named_scene};
+use course::{LIGHT_NAMES, OwnScene, Step, named_scene};
 use glam::DVec3;
 use step01_rays::rgb8;
 use step05_phong::{Light, Ray, Terms, ambient, direction_colour, light_terms, normal};
@@ -34,7 +34,7 @@ impl StepScene {
             }
             _ => {}
         }
-        let light_names = ["the warm light", "the cool light"];
+        let light_names = LIGHT_NAMES.map(|light| light.with_article);
         Self { step, own: OwnScene::new(scene), light_names }
     }
 

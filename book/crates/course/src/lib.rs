@@ -1,28 +1,29 @@
-//! Code and data shared by the book's crates, in six folders and three files:
+//! Code and data shared by the book's crates, in six folders and four files:
 //!
-//! - `steps`: the five steps as an enum, the *camera* that takes their pictures, and their
-//!   *examples* as a library, with a list of every picture that a step or an example draws.
+//! - `steps`: the five steps as an enum, the *camera* that takes their pictures, the
+//!   discriminant, and the *examples* as a library, with a list of every picture that a step or an example draws.
 //! - `source_code`: the steps' source code as text. The *places* in the listings are the
 //!   expressions that a reader may edit on a page.
 //! - `mistakes`: the *mistakes* that readers make, each as a diff; a *table* with the hashes of the
 //!   wrong pictures that they produce; and the small versions of these pictures that the book
 //!   shows.
 //! - `scenes`: one that is generated from a person's *name*, one that a reader puts together on a
-//!   page, and the table of the numbers in a scene.
+//!   page, the table of the numbers in a scene, and the names of the lights.
 //! - `pictures`: the *locked* pictures, a picture's hash, the *difference* between two pictures, in a
 //!   sentence or side by side, and a PNG encoder.
 //! - `workspace`: the project's folders, the names of the pages' WebAssembly modules, a command that
 //!   runs Cargo, the *environment* variables that control the tests, and a function that *replaces*
 //!   a file atomically.
-//! - `hash.rs`, `json.rs` and `terminal.rs`: a hash function, a JSON writer, and the characters
-//!   that a terminal would act on.
+//! - `hash.rs`, `html.rs`, `json.rs` and `terminal.rs`: a hash function, the escaping of text in
+//!   HTML, a JSON writer, and the characters that a terminal would act on.
 //!
 //! Other crates don't see the folders, because every item is re-exported here.
 
 mod steps;
 pub use steps::{
     DrawPicture, FOV_DEGREES, PICTURE_COLUMNS, PICTURE_ROWS, PICTURES, Step, camera,
-    camera_with_fov, camera_with_size, colour_without_gate, examples, find_picture, primary_rays,
+    camera_with_fov, camera_with_size, colour_without_gate, discriminant, examples, find_picture,
+    primary_rays,
 };
 
 mod source_code;
@@ -42,7 +43,8 @@ pub use mistakes::{
 
 mod scenes;
 pub use scenes::{
-    Component, GROUND, OwnScene, Owner, QUANTITIES, Quantity, Scalar, TypedRange, named_scene,
+    Component, GROUND, LIGHT_NAMES, LightName, OwnScene, Owner, QUANTITIES, Quantity, Scalar,
+    TypedRange, named_scene,
 };
 
 mod pictures;
@@ -57,7 +59,9 @@ pub use workspace::{
 };
 
 mod hash;
+mod html;
 pub mod json;
 mod terminal;
 pub use hash::fnv_1a;
+pub use html::escape_html;
 pub use terminal::is_terminal_control;

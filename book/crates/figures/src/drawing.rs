@@ -1,8 +1,9 @@
 //! Drawings in SVG.
 
 use crate::label_box::LabelBox;
-use crate::text_markup::{escape, symbol_spans};
+use crate::text_markup::symbol_spans;
 use crate::{Shading, View};
+use course::escape_html;
 use glam::{DVec2, dvec2};
 use std::collections::BTreeMap;
 
@@ -148,7 +149,7 @@ impl Drawing {
 
     /// The drawing as an HTML element, with a `title` for readers who can't see it.
     pub fn html(&self, title: &str) -> String {
-        let (height, elements, title) = (self.height, self.svg_elements(), escape(title));
+        let (height, elements, title) = (self.height, self.svg_elements(), escape_html(title));
         format!(
             r#"<svg role="img" viewBox="0 0 480 {height}" width="480" height="{height}"><title>{title}</title><g>{elements}</g></svg>"#
         )
@@ -170,7 +171,7 @@ const DIRECTIONS: [DVec2; 8] = [
 impl Label {
     fn svg(&self) -> String {
         let Self { class, position: DVec2 { x, y }, text } = self;
-        let parts = text.split('$').zip([escape, symbol_spans].into_iter().cycle());
+        let parts = text.split('$').zip([escape_html, symbol_spans].into_iter().cycle());
         let spans: String = parts.map(|(part, spans)| spans(part)).collect();
         format!(r#"<text class="{class}" x="{x:.1}" y="{y:.1}">{spans}</text>"#)
     }

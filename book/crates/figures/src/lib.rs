@@ -24,7 +24,7 @@ pub use drawing::{Drawing, WIDTH};
 pub use label_box::LabelBox;
 pub use shading::Shading;
 use shading::TO_LIGHT;
-pub use text_markup::{escape, italic_letter};
+pub use text_markup::italic_letter;
 use view::{View, direction_left_of_up};
 
 mod figure;
@@ -41,7 +41,6 @@ pub use parameter_values::{ParameterId, ParameterValues, PointId};
 mod figures;
 mod own_scene;
 mod pictures;
-pub use pictures::discriminant;
 
 mod figure_list;
 pub use figure_list::{FIGURES, find_figure};

@@ -1,4 +1,6 @@
-//! Text in HTML and SVG: symbols written as in the formulas, and escaping.
+//! Symbols in HTML and SVG, written as in the formulas.
+
+use course::escape_html;
 
 /// Writes a symbol as SVG, in the italic letters of the formulas. `_` makes the next character a
 /// subscript.
@@ -12,7 +14,7 @@ pub fn symbol_spans(text: &str) -> String {
                 r#"<tspan class="small" dy="4">{low}</tspan><tspan dy="-4">&#8203;</tspan>"#
             );
         } else {
-            spans += &escape(&letter.to_string());
+            spans += &escape_html(&letter.to_string());
         }
     }
     spans + "</tspan>"
@@ -32,11 +34,6 @@ pub fn italic_letter(c: char) -> char {
     letter.unwrap_or(c)
 }
 
-/// Escapes `text` for HTML, attributes included.
-pub fn escape(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -54,10 +51,5 @@ mod tests {
         let start = "<tspan class=\"math\">𝑉<tspan class=\"small\" dy=\"4\">0</tspan>";
         assert!(spans.starts_with(start), "{spans}");
         assert!(symbol_spans("<").contains("&lt;"));
-    }
-
-    #[test]
-    fn markup_is_escaped() {
-        assert_eq!(escape("a < \"b\" & c"), "a &lt; &quot;b&quot; &amp; c");
     }
 }

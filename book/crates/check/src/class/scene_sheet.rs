@@ -8,7 +8,10 @@ use crate::comparison::scattered_positions;
 use crate::escape_for_terminal;
 use crate::number_format::{format_four_decimals, format_vector_four_decimals};
 use crate::step_scene::{ObjectHit, StepScene};
-use course::{GROUND, Owner, QUANTITIES, Quantity, camera, fnv_1a, is_terminal_control};
+use course::{
+    GROUND, Owner, QUANTITIES, Quantity, camera, discriminant, escape_html, fnv_1a,
+    is_terminal_control,
+};
 use std::collections::HashMap;
 use std::fmt::Write;
 use std::iter;
@@ -166,26 +169,24 @@ impl Sheet {
     }
 
     fn to_html(&self) -> String {
-        let mut html =
-            format!("<h1>The scene of <bdi>{}</bdi></h1>\n", escape_html_text(&self.name));
+        let mut html = format!("<h1>The scene of <bdi>{}</bdi></h1>\n", escape_html(&self.name));
         for table in &self.tables {
             html += "<table>\n";
             for (number, row) in table.iter().enumerate() {
                 let tag = if number == 0 { "th" } else { "td" };
-                let cells =
-                    row.iter().map(|cell| format!("<{tag}>{}</{tag}>", escape_html_text(cell)));
+                let cells = row.iter().map(|cell| format!("<{tag}>{}</{tag}>", escape_html(cell)));
                 let _ = writeln!(html, "<tr>{}</tr>", cells.collect::<String>());
             }
             html += "</table>\n";
         }
         for text in &self.instructions {
-            let _ = writeln!(html, "<p>{}</p>", escape_html_text(text));
+            let _ = writeln!(html, "<p>{}</p>", escape_html(text));
         }
         html + &html_list(&self.problems)
     }
 
     fn answers_to_html(&self) -> String {
-        let name = escape_html_text(&self.name);
+        let name = escape_html(&self.name);
         format!("<h2><bdi>{name}</bdi></h2>\n{}", html_list(&self.answers))
     }
 }
@@ -232,10 +233,7 @@ fn problem_pixel_of_ray(scene: &StepScene, pixel: (u32, u32), ray: Ray) -> Optio
     let is_ball = |hit: &ObjectHit| hit.object != GROUND;
     let visible = scene.visible_hit(&ray).filter(is_ball)?;
     let balls: Vec<_> = scene.object_hits(&ray).filter(is_ball).collect();
-    let is_clear = |hit: &ObjectHit| {
-        let (a, b, c) = objects[hit.object].sphere.coefficients(&ray);
-        b * b - 4.0 * a * c > 0.5
-    };
+    let is_clear = |hit: &ObjectHit| discriminant(&objects[hit.object].sphere, &ray) > 0.5;
     balls.iter().all(is_clear).then_some(ProblemPixel { pixel, ray, balls, visible })
 }
 
@@ -269,8 +267,10 @@ impl ProblemPixel {
         let normal = step05_phong::normal(&objects[visible.object].sphere, p);
         let terms = scene.terms_at_hit(ray, *visible);
         let coefficients = balls.iter().map(|hit| {
-            let (a, b, c) = objects[hit.object].sphere.coefficients(ray);
-            let [a, b, c, d] = [a, b, c, b * b - 4.0 * a * c].map(format_four_decimals);
+            let sphere = &objects[hit.object].sphere;
+            let (a, b, c) = sphere.coefficients(ray);
+            let d = discriminant(sphere, ray);
+            let [a, b, c, d] = [a, b, c, d].map(format_four_decimals);
             format!("{}: a = {a}, b = {b}, c = {c}, D = {d}", name(hit))
         });
         let hits =
@@ -335,12 +335,8 @@ fn html_page(kind: &str, sections: impl Iterator<Item = String>) -> String {
 
 fn html_list(items: &[String]) -> String {
     let items: String =
-        items.iter().map(|item| format!("<li>{}</li>\n", escape_html_text(item))).collect();
+        items.iter().map(|item| format!("<li>{}</li>\n", escape_html(item))).collect();
     format!("<ol>\n{items}</ol>\n")
-}
-
-fn escape_html_text(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }
 
 #[cfg(test)]
@@ -355,7 +351,6 @@ mod tests {
 
     #[test]
     fn html_is_escaped() {
-        assert_eq!(escape_html_text("a < b & c > d"), "a &lt; b &amp; c &gt; d");
         assert_eq!(html_list(&["<b>".to_owned()]), "<ol>\n<li>&lt;b&gt;</li>\n</ol>\n");
     }
 

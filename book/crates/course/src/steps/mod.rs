@@ -1,13 +1,16 @@
-//! The five steps, the camera that takes their pictures, and their examples as a library.
+//! The five steps, the camera that takes their pictures, the discriminant of a ray and a sphere, and
+//! the steps' examples as a library.
 
 mod camera;
 mod colour_without_gate;
+mod discriminant;
 mod step;
 pub use camera::{
     FOV_DEGREES, PICTURE_COLUMNS, PICTURE_ROWS, camera, camera_with_fov, camera_with_size,
     primary_rays,
 };
 pub use colour_without_gate::colour_without_gate;
+pub use discriminant::discriminant;
 pub use step::Step;
 
 pub mod examples;

@@ -20,7 +20,7 @@ pub mod three_cases;
 
 use crate::{
     Axis, Content, Drawing, Figure, Handle, Mark, Parameter, ParameterId, ParameterValues, PointId,
-    Readouts, Shading, TO_LIGHT, View, collect_readouts, direction_left_of_up, discriminant,
-    format_number, format_rounded, format_vector, short_name,
+    Readouts, Shading, TO_LIGHT, View, collect_readouts, direction_left_of_up, format_number,
+    format_rounded, format_vector, short_name,
 };
 use glam::{DVec2, DVec3, dvec2};

@@ -1,6 +1,7 @@
 //! The three cases of the quadratic: a ray misses a circle, touches it or crosses it.
 
 use super::*;
+use course::discriminant;
 use step02_sphere::{Ray, Sphere};
 
 const SPHERE: Sphere = Sphere { centre: DVec3::ZERO, radius: 1.0 };

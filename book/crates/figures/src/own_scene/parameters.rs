@@ -5,7 +5,7 @@
 use crate::{Axis, Parameter, ParameterId, ParameterValues};
 use course::examples::mirror::mirrors;
 use course::examples::own_scene::{ball, lamp};
-use course::{Component, OwnScene, Owner, QUANTITIES, Scalar};
+use course::{Component, LIGHT_NAMES, OwnScene, Owner, QUANTITIES, Scalar};
 use std::sync::LazyLock;
 use step05_phong::{OBJECTS, scene};
 
@@ -35,8 +35,9 @@ pub static PARAMETERS: LazyLock<Vec<(Target, Parameter)>> = LazyLock::new(|| {
         parameters.push((Target::Presence(Owner::Object, k), presence));
         parameters.extend(number_parameters(&own, Owner::Object, k, object.name));
     }
-    for (k, name) in ["warm light", "cool light", "third light"].into_iter().enumerate() {
-        let presence = Parameter::switch(ParameterId::of(name, "on"), "on", k < 2);
+    let light_names = LIGHT_NAMES.iter().map(|light| light.name).chain(["third light"]);
+    for (k, name) in light_names.enumerate() {
+        let presence = Parameter::switch(ParameterId::of(name, "on"), "on", k < LIGHT_NAMES.len());
         parameters.push((Target::Presence(Owner::Light, k), presence));
         parameters.extend(number_parameters(&own, Owner::Light, k, name));
     }

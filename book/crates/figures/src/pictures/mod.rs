@@ -2,7 +2,6 @@
 
 pub mod mirror;
 mod pixel_trace;
-pub use pixel_trace::discriminant;
 pub mod step01;
 pub mod step02;
 pub mod step03;

@@ -5,21 +5,12 @@ use crate::{
     ParameterValues, Readouts, collect_readouts, format_number, format_vector, row_readout,
     short_name,
 };
+use course::{LIGHT_NAMES, discriminant};
 use glam::DVec3;
 use step01_rays::{Ray, direction_colour, rgb8};
-use step02_sphere::Sphere;
 use step05_phong::{
     Hit, Light, Material, Object, Scene, light_terms, nearest, phong, reflect, visible_point,
 };
-
-/// The name of each light in readouts, in the order of the scene.
-const LIGHT_NAMES: [&str; 2] = ["warm", "cool"];
-
-/// The discriminant b² − 4ac for a ray and a sphere.
-pub fn discriminant(sphere: &Sphere, ray: &Ray) -> f64 {
-    let (a, b, c) = sphere.coefficients(ray);
-    b * b - 4.0 * a * c
-}
 
 /// Describes what a ray hits first: an object and its t, or the sky.
 pub fn describe_hit<M>(objects: &[Object<M>], ray: &Ray) -> String {
@@ -106,22 +97,8 @@ pub fn trace_shading(values: &ParameterValues, scene: &Scene<Material, Light>) -
             ("power", format_number(power)),
             ("specular", format_vector(terms.specular)),
         ];
-        readouts.extend(column.map(|(name, text)| (format!("{name} {light_name}"), text)));
+        readouts
+            .extend(column.map(|(name, text)| (format!("{name} {}", light_name.adjective), text)));
     }
     readouts
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use step05_phong::{COOL_LIGHT, WARM_LIGHT};
-
-    #[test]
-    fn lights_are_named_in_the_order_of_the_scene() {
-        let lights = step05_phong::scene().lights;
-        let positions = lights.iter().map(|light| light.point_light.position);
-        let named = [("warm", WARM_LIGHT), ("cool", COOL_LIGHT)];
-        let expected = named.map(|(name, light)| (name, light.position));
-        assert_eq!(LIGHT_NAMES.into_iter().zip(positions).collect::<Vec<_>>(), expected);
-    }
 }

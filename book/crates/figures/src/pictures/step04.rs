@@ -3,12 +3,14 @@
 use super::pixel_trace::{trace_pixel, trace_shading};
 use crate::probe::{draw_picture, probed_picture};
 use crate::{Axis, Figure, Handle, Mark, Parameter, ParameterValues, PointId, Readouts};
+use course::LIGHT_NAMES;
 use glam::DVec3;
 use step04_diffuse::{COOL_LIGHT, Matte, OBJECTS, PointLight, Scene, WARM_LIGHT, colour};
 use step05_phong::{Light, Material};
 
 /// The positions of the lights, in the order of the scene.
-const LIGHTS: [PointId; 2] = [PointId("the warm light"), PointId("the cool light")];
+const LIGHTS: [PointId; 2] =
+    [PointId(LIGHT_NAMES[0].with_article), PointId(LIGHT_NAMES[1].with_article)];
 
 /// The picture of step 4, with a probe. The lights can be moved.
 pub fn figure() -> Figure {
