@@ -2,10 +2,12 @@
 
 use crate::expressions::evaluation::{Computation, Expression, Interruption};
 use crate::expressions::functions::{Function, find_function, remainder_operations};
-use crate::expressions::operation::{Operation, range_of, split_operation, tokens_without_spaces};
+use crate::expressions::operation::{
+    Operation, OperationKind, range_of, split_operation, tokens_without_spaces,
+};
 use crate::expressions::part::{Code, Part, compile_literal};
 use crate::expressions::refusal::{Fault, Refusal, refuse};
-use crate::expressions::refused_call::{Call, explain_mismatch, is_method};
+use crate::expressions::refused_call::{Call, explain_mismatch};
 use crate::expressions::syntax::parse_syntax;
 use crate::expressions::value::Value;
 use course::{Place, PlaceNote, ValueType};
@@ -86,8 +88,9 @@ impl Compiler<'_> {
             Expr::Call(call) if call.args.is_empty() => {
                 let name = tokens_without_spaces(&call.func);
                 let name_range = range_of(&call.func);
-                let call = Call { syntax, name: &name, name_range, parts: &[] };
-                return Err(self.explain_refused_call(call));
+                let kind = OperationKind::Path;
+                let call = Call { syntax, kind, name: &name, name_range, parts: &[] };
+                return Err(self.explain_refused_call(&call));
             }
             Expr::Assign(assignment) => return Err(self.refuse_assignment(assignment)),
             _ => {}
@@ -96,35 +99,31 @@ impl Compiler<'_> {
         if let Some(refusal) = unknown.or_else(|| self.refuse_unknown_function(syntax)) {
             return Err(refusal);
         }
-        let Operation { name, operands, name_range } = split_operation(syntax)?;
+        let Operation { kind, name, operands, name_range } = split_operation(syntax)?;
         let parts = operands.into_iter().map(|operand| self.compile_expression(operand));
         let parts = parts.collect::<Result<Vec<_>, _>>()?;
-        let is_member = matches!(syntax, Expr::Field(_) | Expr::MethodCall(_));
-        let Some(receiver) = parts.first().filter(|_| is_member) else {
-            if name.starts_with("DVec3") && !self.place.has_vectors {
-                return refuse(name_range, Fault::NoVectors);
-            }
-            return self.compile_call(Call { syntax, name: &name, name_range, parts: &parts });
-        };
-        if receiver.code.has_open_type && name != "::into" {
-            let range = receiver.range.clone();
-            let literal = &self.text[range.clone()];
-            let is_literal = literal.starts_with(|c: char| c.is_ascii_digit());
-            let is_literal = is_literal && matches!(syn::parse_str(literal), Ok(Expr::Lit(_)));
-            let cure = format!("{literal}_f64");
-            let fault =
-                if is_literal { Fault::UntypedLiteral { cure } } else { Fault::UntypedReceiver };
-            return refuse(range, fault);
+        let receiver = parts.first().filter(|_| kind.is_member());
+        let is_into = kind == OperationKind::Method && name == "into";
+        if let Some(receiver) = receiver.filter(|receiver| receiver.code.has_open_type && !is_into)
+        {
+            return Err(self.refuse_open_type(receiver));
         }
-        let path = receiver.code.value_type.name().to_owned() + &name;
-        let call = Call { syntax, name: &path, name_range, parts: &parts };
-        match name.strip_prefix("::") {
-            // An associated function such as f64::from, which isn't a method.
-            Some(name) if !is_method(receiver.code.value_type, name) => {
-                Err(self.explain_refused_call(call))
-            }
-            _ => self.compile_call(call),
+        if kind == OperationKind::Path && name.starts_with("DVec3") && !self.place.has_vectors {
+            return refuse(name_range, Fault::NoVectors);
         }
+        self.compile_call(&Call { syntax, kind, name: &name, name_range, parts: &parts })
+    }
+
+    /// Refuses a receiver such as 2.0, whose type Rust doesn't know yet.
+    fn refuse_open_type(&self, receiver: &Part) -> Refusal {
+        let range = receiver.range.clone();
+        let literal = &self.text[range.clone()];
+        let is_literal = literal.starts_with(|c: char| c.is_ascii_digit());
+        let is_literal = is_literal && matches!(syn::parse_str(literal), Ok(Expr::Lit(_)));
+        let cure = format!("{literal}_f64");
+        let fault =
+            if is_literal { Fault::UntypedLiteral { cure } } else { Fault::UntypedReceiver };
+        Refusal { range, fault }
     }
 
     /// Code that reads the next free slot, for a variable, or a `let` whose value differs from
@@ -135,12 +134,12 @@ impl Compiler<'_> {
         Code { computation: Computation::Slot(slot), value_type, has_open_type }
     }
 
-    /// Compiles a call to a function, an operator or a cast.
-    fn compile_call(&self, call: Call) -> Result<Code, Refusal> {
-        let Call { name, parts, .. } = call;
+    /// Compiles an operation whose operands are compiled already.
+    fn compile_call(&self, call: &Call) -> Result<Code, Refusal> {
+        let Call { kind, name, parts, .. } = *call;
         let name_range = call.name_range.clone();
         let types: Vec<_> = parts.iter().map(|part| part.code.value_type).collect();
-        let Some(function) = find_function(name, &types) else {
+        let Some(function) = find_function(kind, name, &types) else {
             return Err(self.explain_refused_call(call));
         };
         // Rust refuses to divide by a constant 0, even if the dividend isn't constant.
@@ -148,8 +147,9 @@ impl Compiler<'_> {
         if ["/", "%"].contains(&name) && divisor == Some(Value::I32(0)) {
             return refuse(name_range, Fault::NoResult);
         }
-        let is_operator = !name.contains(char::is_alphabetic);
-        let has_open_type = is_operator && parts.iter().all(|part| part.code.has_open_type);
+        let keeps_open_type =
+            matches!(kind, OperationKind::Sign | OperationKind::Array | OperationKind::Index);
+        let has_open_type = keeps_open_type && parts.iter().all(|part| part.code.has_open_type);
         let constants: Option<Vec<_>> =
             parts.iter().map(|part| part.code.constant_value()).collect();
         if let Some(values) = constants {
@@ -200,7 +200,7 @@ fn call_with_values<const N: usize>(
     name_range: Range<usize>,
 ) -> Computation {
     let apply = function.apply;
-    let is_remainder = ["%", "f64::rem_euclid"].contains(&function.name);
+    let is_remainder = ["%", "rem_euclid"].contains(&function.name);
     Computation::Closure(Rc::new(move |evaluation| {
         let mut values = [Value::Bool(false); N];
         for (value, computation) in values.iter_mut().zip(&computations) {

@@ -1,16 +1,20 @@
 //! The functions, methods and operators that a line may use.
 
+use crate::expressions::operation::OperationKind;
 use crate::expressions::value::Value;
 use course::ValueType;
 use glam::DVec3;
+use std::borrow::Cow;
 use std::f64::consts;
 
 /// A function with given parameter types. Overloads have separate entries.
 pub struct Function {
-    /// Its path, such as `f64::max`, for a function, method or constant; `DVec3.x` for a field; the
-    /// sign for an operator; `as f64` for a cast.
+    /// The kind of the operations that call it. A method can be called by its path, too.
+    pub kind: OperationKind,
+    /// The name that these operations have, such as `max` for the method `f64::max`.
     pub name: &'static str,
-    /// The types of its parameters; none for a constant.
+    /// The types of its parameters; none for a constant. The first is the type that has the method
+    /// or the field.
     pub parameters: &'static [ValueType],
     /// The type of its result.
     pub result: ValueType,
@@ -18,19 +22,40 @@ pub struct Function {
     pub apply: fn(&[Value]) -> Option<Value>,
 }
 
+impl Function {
+    /// The path of a function, method or constant. Nothing else has one.
+    pub fn path(&self) -> Option<Cow<'static, str>> {
+        match (self.kind, self.parameters) {
+            (OperationKind::Path, _) => Some(self.name.into()),
+            (OperationKind::Method, [owner, ..]) => {
+                Some(format!("{}::{}", owner.name(), self.name).into())
+            }
+            _ => None,
+        }
+    }
+
+    /// Whether an operation of this kind and with this name can mean this function, if its operands
+    /// have the right types.
+    pub fn is_named(&self, kind: OperationKind, name: &str) -> bool {
+        match kind {
+            OperationKind::Path => self.path().is_some_and(|path| path == name),
+            _ => self.kind == kind && self.name == name,
+        }
+    }
+}
+
 /// All functions in the table.
 pub fn functions() -> impl Iterator<Item = &'static Function> {
     FUNCTIONS.iter().copied().flatten()
 }
 
-/// Whether there is a function with this name, whatever its parameters.
-pub fn is_known(name: &str) -> bool {
-    functions().any(|function| function.name == name)
-}
-
-/// Finds the function with this name and these parameter types.
-pub fn find_function(name: &str, types: &[ValueType]) -> Option<&'static Function> {
-    functions().find(|function| function.name == name && function.parameters == types)
+/// Finds the function for an operation of this kind, with this name and operands of these types.
+pub fn find_function(
+    kind: OperationKind,
+    name: &str,
+    types: &[ValueType],
+) -> Option<&'static Function> {
+    functions().find(|function| function.parameters == types && function.is_named(kind, name))
 }
 
 /// The number of operations that the remainder of two `values` counts as. A remainder is computed
@@ -49,8 +74,12 @@ pub fn remainder_operations(values: &[Value]) -> u64 {
 
 /// Functions that have no result for some arguments: those for which the program would panic.
 macro_rules! partial_functions {
-    ($($name:expr, ($($value:ident: $type:ident),*) -> $result:ident = $body:expr;)*) => {
+    ($(
+        $kind:ident $name:expr,
+        ($($value:ident: $type:ident),*) -> $result:ident = $body:expr;
+    )*) => {
         &[$(Function {
+            kind: OperationKind::$kind,
             name: $name,
             parameters: &[$(ValueType::$type),*],
             result: ValueType::$result,
@@ -63,17 +92,16 @@ macro_rules! partial_functions {
 }
 
 macro_rules! functions {
-    ($($name:expr, $parameters:tt -> $result:ident = $body:expr;)*) => {
-        partial_functions! { $($name, $parameters -> $result = Some($body);)* }
+    ($($kind:ident $name:expr, $parameters:tt -> $result:ident = $body:expr;)*) => {
+        partial_functions! { $($kind $name, $parameters -> $result = Some($body);)* }
     };
 }
 
-/// Methods and associated functions of a type, named by their paths.
+/// Methods of a type.
 macro_rules! methods {
     ($type:ident $parameters:tt $values:tt -> $result:ident: $($name:ident)*) => {
         functions! { $(
-            concat!(stringify!($type), "::", stringify!($name)), $parameters
-                -> $result = $type::$name $values;
+            Method stringify!($name), $parameters -> $result = $type::$name $values;
         )* }
     };
 }
@@ -81,7 +109,7 @@ macro_rules! methods {
 macro_rules! constants {
     ($type:ident -> $result:ident: $($name:ident)*) => {
         functions! { $(
-            concat!(stringify!($type), "::", stringify!($name)), () -> $result = $type::$name;
+            Path concat!(stringify!($type), "::", stringify!($name)), () -> $result = $type::$name;
         )* }
     };
 }
@@ -89,7 +117,7 @@ macro_rules! constants {
 macro_rules! math_constants {
     ($($name:ident)*) => {
         functions! { $(
-            concat!("std::f64::consts::", stringify!($name)), () -> F64 = consts::$name;
+            Path concat!("std::f64::consts::", stringify!($name)), () -> F64 = consts::$name;
         )* }
     };
 }
@@ -97,10 +125,10 @@ macro_rules! math_constants {
 macro_rules! operators {
     ($($sign:tt)*) => {
         functions! { $(
-            stringify!($sign), (a: F64, b: F64) -> F64 = a $sign b;
-            stringify!($sign), (a: Vector, b: Vector) -> Vector = a $sign b;
-            stringify!($sign), (a: Vector, b: F64) -> Vector = a $sign b;
-            stringify!($sign), (a: F64, b: Vector) -> Vector = a $sign b;
+            Sign stringify!($sign), (a: F64, b: F64) -> F64 = a $sign b;
+            Sign stringify!($sign), (a: Vector, b: Vector) -> Vector = a $sign b;
+            Sign stringify!($sign), (a: Vector, b: F64) -> Vector = a $sign b;
+            Sign stringify!($sign), (a: F64, b: Vector) -> Vector = a $sign b;
         )* }
     };
 }
@@ -108,8 +136,8 @@ macro_rules! operators {
 macro_rules! comparisons {
     ($($sign:tt)*) => {
         functions! { $(
-            stringify!($sign), (a: F64, b: F64) -> Bool = a $sign b;
-            stringify!($sign), (a: I32, b: I32) -> Bool = a $sign b;
+            Sign stringify!($sign), (a: F64, b: F64) -> Bool = a $sign b;
+            Sign stringify!($sign), (a: I32, b: I32) -> Bool = a $sign b;
         )* }
     };
 }
@@ -137,76 +165,93 @@ static FUNCTIONS: &[&[Function]] = &[
     operators!(+ - * / %),
     comparisons!(== != < > <= >=),
     functions! {
-        "&&", (a: Bool, b: Bool) -> Bool = a && b;
-        "||", (a: Bool, b: Bool) -> Bool = a || b;
-        "!", (a: Bool) -> Bool = !a;
-        "!", (a: I32) -> I32 = !a;
-        "-", (a: F64) -> F64 = -a;
-        "-", (a: Vector) -> Vector = -a;
-        "f64::rem_euclid", (a: F64, b: F64) -> F64 = a.rem_euclid(b);
-        "as f64", (a: F64) -> F64 = a;
-        "as f64", (a: I32) -> F64 = a.into();
-        "as i32", (a: F64) -> I32 = a as i32;
-        "as i32", (a: I32) -> I32 = a;
-        "as i32", (a: Bool) -> I32 = a.into();
-        "f64::from", (a: I32) -> F64 = a.into();
-        "f64::from", (a: F64) -> F64 = a;
-        "f64::from", (a: Bool) -> F64 = a.into();
-        "DVec3::new", (x: F64, y: F64, z: F64) -> Vector = DVec3::new(x, y, z);
-        "DVec3::splat", (a: F64) -> Vector = DVec3::splat(a);
-        "DVec3::from", (a: Array) -> Vector = a.into();
-        "DVec3::from_array", (a: Array) -> Vector = DVec3::from_array(a);
-        "DVec3::to_array", (a: Vector) -> Array = a.to_array();
-        "[…]", (x: F64, y: F64, z: F64) -> Array = [x, y, z];
-        "[0]", (a: Array) -> F64 = a[0];
-        "[1]", (a: Array) -> F64 = a[1];
-        "[2]", (a: Array) -> F64 = a[2];
-        "[0]", (a: Vector) -> F64 = a.x;
-        "[1]", (a: Vector) -> F64 = a.y;
-        "[2]", (a: Vector) -> F64 = a.z;
-        "DVec3.x", (a: Vector) -> F64 = a.x;
-        "DVec3.y", (a: Vector) -> F64 = a.y;
-        "DVec3.z", (a: Vector) -> F64 = a.z;
-        "==", (a: Vector, b: Vector) -> Bool = a == b;
-        "!=", (a: Vector, b: Vector) -> Bool = a != b;
-        "==", (a: Bool, b: Bool) -> Bool = a == b;
-        "!=", (a: Bool, b: Bool) -> Bool = a != b;
+        Sign "&&", (a: Bool, b: Bool) -> Bool = a && b;
+        Sign "||", (a: Bool, b: Bool) -> Bool = a || b;
+        Sign "!", (a: Bool) -> Bool = !a;
+        Sign "!", (a: I32) -> I32 = !a;
+        Sign "-", (a: F64) -> F64 = -a;
+        Sign "-", (a: Vector) -> Vector = -a;
+        Method "rem_euclid", (a: F64, b: F64) -> F64 = a.rem_euclid(b);
+        Cast "f64", (a: F64) -> F64 = a;
+        Cast "f64", (a: I32) -> F64 = a.into();
+        Cast "i32", (a: F64) -> I32 = a as i32;
+        Cast "i32", (a: I32) -> I32 = a;
+        Cast "i32", (a: Bool) -> I32 = a.into();
+        Path "f64::from", (a: I32) -> F64 = a.into();
+        Path "f64::from", (a: F64) -> F64 = a;
+        Path "f64::from", (a: Bool) -> F64 = a.into();
+        Path "DVec3::new", (x: F64, y: F64, z: F64) -> Vector = DVec3::new(x, y, z);
+        Path "DVec3::splat", (a: F64) -> Vector = DVec3::splat(a);
+        Path "DVec3::from", (a: Array) -> Vector = a.into();
+        Path "DVec3::from_array", (a: Array) -> Vector = DVec3::from_array(a);
+        Method "to_array", (a: Vector) -> Array = a.to_array();
+        Array "", (x: F64, y: F64, z: F64) -> Array = [x, y, z];
+        Index "0", (a: Array) -> F64 = a[0];
+        Index "1", (a: Array) -> F64 = a[1];
+        Index "2", (a: Array) -> F64 = a[2];
+        Index "0", (a: Vector) -> F64 = a.x;
+        Index "1", (a: Vector) -> F64 = a.y;
+        Index "2", (a: Vector) -> F64 = a.z;
+        Field "x", (a: Vector) -> F64 = a.x;
+        Field "y", (a: Vector) -> F64 = a.y;
+        Field "z", (a: Vector) -> F64 = a.z;
+        Sign "==", (a: Vector, b: Vector) -> Bool = a == b;
+        Sign "!=", (a: Vector, b: Vector) -> Bool = a != b;
+        Sign "==", (a: Bool, b: Bool) -> Bool = a == b;
+        Sign "!=", (a: Bool, b: Bool) -> Bool = a != b;
     },
     math_constants!(PI TAU E FRAC_PI_2 FRAC_PI_3 FRAC_PI_4 FRAC_PI_6 FRAC_PI_8 FRAC_1_PI FRAC_2_PI
         SQRT_2 FRAC_1_SQRT_2 LN_2 LN_10),
     // Integer operators panic on overflow, as in a development build.
     partial_functions! {
-        "+", (a: I32, b: I32) -> I32 = a.checked_add(b);
-        "-", (a: I32, b: I32) -> I32 = a.checked_sub(b);
-        "*", (a: I32, b: I32) -> I32 = a.checked_mul(b);
-        "/", (a: I32, b: I32) -> I32 = a.checked_div(b);
-        "%", (a: I32, b: I32) -> I32 = a.checked_rem(b);
-        "-", (a: I32) -> I32 = a.checked_neg();
-        "i32::rem_euclid", (a: I32, b: I32) -> I32 = a.checked_rem_euclid(b);
-        "f64::clamp", (a: F64, min: F64, max: F64) -> F64 = (min <= max).then(|| a.clamp(min, max));
+        Sign "+", (a: I32, b: I32) -> I32 = a.checked_add(b);
+        Sign "-", (a: I32, b: I32) -> I32 = a.checked_sub(b);
+        Sign "*", (a: I32, b: I32) -> I32 = a.checked_mul(b);
+        Sign "/", (a: I32, b: I32) -> I32 = a.checked_div(b);
+        Sign "%", (a: I32, b: I32) -> I32 = a.checked_rem(b);
+        Sign "-", (a: I32) -> I32 = a.checked_neg();
+        Method "rem_euclid", (a: I32, b: I32) -> I32 = a.checked_rem_euclid(b);
+        Method "clamp", (a: F64, min: F64, max: F64) -> F64
+            = (min <= max).then(|| a.clamp(min, max));
     },
 ];
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use OperationKind::{Cast, Field, Index, Method, Path, Sign};
     use ValueType::{F64, I32, Vector};
 
     #[test]
-    fn function_is_found_by_its_name_and_types() {
-        let result = |name, types: &[_]| find_function(name, types).map(|found| found.result);
-        assert_eq!(result("*", &[F64, Vector]), Some(Vector));
-        assert_eq!(result("*", &[I32, I32]), Some(I32));
-        assert_eq!(result("*", &[I32, F64]), None);
-        assert_eq!(result("DVec3::dot", &[Vector, Vector]), Some(F64));
-        assert_eq!(result("f64::dot", &[F64, F64]), None);
-        assert_eq!(result("DVec3::ZERO", &[]), Some(Vector));
+    fn function_is_found_by_its_kind_name_and_types() {
+        let result =
+            |kind, name, types: &[_]| find_function(kind, name, types).map(|found| found.result);
+        assert_eq!(result(Sign, "*", &[F64, Vector]), Some(Vector));
+        assert_eq!(result(Sign, "*", &[I32, I32]), Some(I32));
+        assert_eq!(result(Sign, "*", &[I32, F64]), None);
+        assert_eq!(result(Path, "DVec3::ZERO", &[]), Some(Vector));
+        assert_eq!(result(Cast, "i32", &[F64]), Some(I32));
+        assert_eq!(result(Index, "0", &[Vector]), Some(F64));
+        assert_eq!(result(Path, "[0]", &[Vector]), None);
+    }
+
+    #[test]
+    fn method_is_found_by_its_path_too() {
+        let is_found = |kind, name, types: &[_]| find_function(kind, name, types).is_some();
+        assert!(is_found(Method, "dot", &[Vector, Vector]));
+        assert!(is_found(Path, "DVec3::dot", &[Vector, Vector]));
+        assert!(!is_found(Path, "dot", &[Vector, Vector]));
+        assert!(!is_found(Path, "f64::dot", &[F64, F64]));
+        assert!(!is_found(Field, "length", &[Vector]));
+        // An associated function that isn't a method.
+        assert!(is_found(Path, "DVec3::splat", &[F64]));
+        assert!(!is_found(Method, "splat", &[F64]));
     }
 
     #[test]
     fn function_has_no_result_where_the_program_would_stop() {
         let apply = |name, a, b| {
-            let function = find_function(name, &[I32, I32]).expect("a function");
+            let function = find_function(Sign, name, &[I32, I32]).expect("a function");
             (function.apply)(&[Value::I32(a), Value::I32(b)])
         };
         assert_eq!(apply("+", i32::MAX, 0), Some(Value::I32(i32::MAX)));

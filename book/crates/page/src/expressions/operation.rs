@@ -1,5 +1,5 @@
-//! Splits an operation into its name and its operands. Operators, casts, fields, methods and calls
-//! are all operations, and the table of functions has an entry for each.
+//! Splits an operation into its kind, its name and its operands. Operators, casts, fields, methods
+//! and calls are all operations, and the table of functions has an entry for each.
 
 use crate::expressions::refusal::{Fault, Refusal, refuse};
 use quote::ToTokens;
@@ -8,9 +8,38 @@ use std::ops::Range;
 use syn::spanned::Spanned;
 use syn::{Expr, UnOp};
 
+/// The kinds of operations, which differ in how they are written.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum OperationKind {
+    /// A path, such as `DVec3::X`, alone or called with arguments.
+    Path,
+    /// A method of the first operand.
+    Method,
+    /// A field of the operand.
+    Field,
+    /// An operator before an operand or between two.
+    Sign,
+    /// A cast with `as`.
+    Cast,
+    /// An array of its operands.
+    Array,
+    /// An element of an array or a vector.
+    Index,
+}
+
+impl OperationKind {
+    /// Whether its name belongs to the type of the first operand, which the line writes before the
+    /// dot.
+    pub fn is_member(self) -> bool {
+        matches!(self, OperationKind::Method | OperationKind::Field)
+    }
+}
+
 /// An operation in a line.
 pub struct Operation<'a> {
-    /// The name of its function in the table.
+    pub kind: OperationKind,
+    /// The path, the name of the method or field, the sign, the type of the cast, or the index.
+    /// Arrays have no name.
     pub name: String,
     pub operands: Vec<&'a Expr>,
     /// The range of its name or sign in the line.
@@ -29,52 +58,59 @@ pub fn tokens_without_spaces(syntax: &impl ToTokens) -> String {
 
 /// Finds the function or operator that an expression calls, and its operands.
 pub fn split_operation(syntax: &Expr) -> Result<Operation<'_>, Refusal> {
-    let operation = |name, operands, name_range| Operation { name, operands, name_range };
-    Ok(match syntax {
+    let (kind, name, operands, name_range) = match syntax {
         Expr::Unary(unary) => {
             let name_range = range_of(&unary.op);
             if let UnOp::Deref(_) = unary.op {
                 return refuse(name_range, Fault::Dereference);
             }
-            operation(tokens_without_spaces(&unary.op), vec![&*unary.expr], name_range)
+            let operands = vec![&*unary.expr];
+            (OperationKind::Sign, tokens_without_spaces(&unary.op), operands, name_range)
         }
         Expr::Binary(binary) => {
             let operands = vec![&*binary.left, &*binary.right];
-            operation(tokens_without_spaces(&binary.op), operands, range_of(&binary.op))
+            let name = tokens_without_spaces(&binary.op);
+            (OperationKind::Sign, name, operands, range_of(&binary.op))
         }
         Expr::Cast(cast) => {
-            let name = format!("as {}", tokens_without_spaces(&cast.ty));
-            operation(name, vec![&*cast.expr], range_of(&cast.as_token))
+            let name = tokens_without_spaces(&cast.ty);
+            (OperationKind::Cast, name, vec![&*cast.expr], range_of(&cast.as_token))
         }
         Expr::Array(array) => {
-            operation("[…]".to_owned(), array.elems.iter().collect(), range_of(array))
+            let operands = array.elems.iter().collect();
+            (OperationKind::Array, String::new(), operands, range_of(array))
         }
         Expr::Index(index) => {
-            let name = format!("[{}]", tokens_without_spaces(&index.index));
-            operation(name, vec![&*index.expr], range_of(&index.bracket_token.span.join()))
+            let name = tokens_without_spaces(&index.index);
+            let name_range = range_of(&index.bracket_token.span.join());
+            (OperationKind::Index, name, vec![&*index.expr], name_range)
         }
         Expr::Field(field) => {
-            let name = format!(".{}", tokens_without_spaces(&field.member));
+            let name = tokens_without_spaces(&field.member);
             let name_range = range_of(&field.dot_token).start..range_of(field).end;
-            operation(name, vec![&*field.base], name_range)
+            (OperationKind::Field, name, vec![&*field.base], name_range)
         }
         Expr::MethodCall(call) => {
-            let name = format!("::{}{}", call.method, tokens_without_spaces(&call.turbofish));
+            let name = format!("{}{}", call.method, tokens_without_spaces(&call.turbofish));
             let operands = once(&*call.receiver).chain(&call.args).collect();
             let name_range = range_of(&call.dot_token).start..range_of(&call.method).end;
-            operation(name, operands, name_range)
+            (OperationKind::Method, name, operands, name_range)
         }
-        Expr::Path(path) => operation(tokens_without_spaces(path), vec![], range_of(path)),
+        Expr::Path(path) => {
+            (OperationKind::Path, tokens_without_spaces(path), vec![], range_of(path))
+        }
         Expr::Call(call) if !call.args.is_empty() => {
             let operands = call.args.iter().collect();
-            operation(tokens_without_spaces(&call.func), operands, range_of(&call.func))
+            let name = tokens_without_spaces(&call.func);
+            (OperationKind::Path, name, operands, range_of(&call.func))
         }
         Expr::Reference(reference) => {
             return refuse(range_of(&reference.and_token), Fault::Reference);
         }
         Expr::Match(branches) => return refuse(range_of(&branches.match_token), Fault::Match),
         _ => return refuse(range_of(syntax), Fault::Unsupported),
-    })
+    };
+    Ok(Operation { kind, name, operands, name_range })
 }
 
 #[cfg(test)]

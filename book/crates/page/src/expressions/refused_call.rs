@@ -1,25 +1,26 @@
 //! Explains why a function can't be called, or why a value has the wrong type.
 
 use crate::expressions::compiler::Compiler;
-use crate::expressions::functions::{Function, find_function, functions, is_known};
+use crate::expressions::functions::{Function, find_function, functions};
 use crate::expressions::near_name::{find_near_name, synonyms};
-use crate::expressions::operation::{range_of, tokens_without_spaces};
+use crate::expressions::operation::{OperationKind, range_of, tokens_without_spaces};
 use crate::expressions::part::Part;
 use crate::expressions::refusal::{Fault, Refusal};
 use crate::expressions::statements::is_assignment;
 use crate::expressions::value::{count_values, describe_types};
 use course::ValueType;
+use std::borrow::Cow;
 use std::collections::BTreeSet;
 use std::iter::once;
 use std::ops::Range;
 use syn::Expr;
 
-/// A function, method, field or operator in a line, with the values that it is given.
-#[derive(Clone)]
+/// An operation in a line, with the values that it is given.
 pub struct Call<'a> {
     /// The whole expression.
     pub syntax: &'a Expr,
-    /// The name of what is called, such as `DVec3::dot`, or `dot` alone for a member of a value.
+    pub kind: OperationKind,
+    /// The name of the operation, as in [`Operation`](super::operation::Operation).
     pub name: &'a str,
     /// The range of the name in the line.
     pub name_range: Range<usize>,
@@ -27,8 +28,22 @@ pub struct Call<'a> {
     pub parts: &'a [Part],
 }
 
-/// Associated functions that aren't methods.
-const NO_METHODS: [&str; 4] = ["from", "from_array", "new", "splat"];
+impl Call<'_> {
+    /// The types of the parts.
+    fn types(&self) -> Vec<ValueType> {
+        self.parts.iter().map(|part| part.code.value_type).collect()
+    }
+
+    /// The fields and methods of the first part.
+    fn members(&self) -> impl Iterator<Item = &'static Function> {
+        self.parts.first().into_iter().flat_map(|receiver| members(receiver.code.value_type))
+    }
+
+    /// Finds a function that the operation can mean, whatever the types of its parts.
+    fn find_any_function(&self) -> Option<&'static Function> {
+        functions().find(|function| function.is_named(self.kind, self.name))
+    }
+}
 
 /// Explains why a value doesn't fit where another type is wanted. `subject` begins the sentence.
 pub fn explain_mismatch(subject: &str, part: &Part, text: &str, wanted: ValueType) -> Fault {
@@ -57,27 +72,23 @@ pub fn explain_mismatch(subject: &str, part: &Part, text: &str, wanted: ValueTyp
 }
 
 /// Whether values of this type have a method with this name.
-pub fn is_method(receiver: ValueType, name: &str) -> bool {
-    !NO_METHODS.contains(&name) && is_known(&format!("{}::{name}", receiver.name()))
+fn is_method(receiver: ValueType, name: &str) -> bool {
+    members(receiver)
+        .any(|function| function.kind == OperationKind::Method && function.name == name)
 }
 
-/// The fields and methods of a type, each with its name.
-fn members(receiver: ValueType) -> impl Iterator<Item = (&'static str, &'static Function)> {
-    functions().filter_map(move |function| {
-        let member = function.name.strip_prefix(receiver.name())?;
-        let name = member.strip_prefix('.').or_else(|| {
-            let name = member.strip_prefix("::")?;
-            (name.starts_with(char::is_lowercase) && is_method(receiver, name)).then_some(name)
-        })?;
-        Some((name, function))
+/// The fields and methods of a type.
+fn members(receiver: ValueType) -> impl Iterator<Item = &'static Function> {
+    functions().filter(move |function| {
+        function.kind.is_member() && function.parameters.first() == Some(&receiver)
     })
 }
 
 /// Writes a field as it appears in a line, such as `x`, or a method, such as `length()` or
 /// `dot(…)`.
-fn write_member((name, function): (&str, &Function)) -> String {
-    match function.parameters {
-        _ if function.name.contains('.') => name.to_owned(),
+fn write_member(Function { kind, name, parameters, .. }: &Function) -> String {
+    match parameters {
+        _ if *kind == OperationKind::Field => (*name).to_owned(),
         [_] => format!("{name}()"),
         _ => format!("{name}(…)"),
     }
@@ -114,121 +125,142 @@ fn is_near_chain(name: &str, known: &str) -> bool {
 
 impl Compiler<'_> {
     /// Explains why a call isn't possible, and which range of the line to mark.
-    pub fn explain_refused_call(&self, call: Call) -> Refusal {
-        let Call { syntax, name, name_range, parts } = call.clone();
-        let text_of = |range: &Range<usize>| &self.text[range.clone()];
-        let shown_name = text_of(&name_range).to_owned();
-        let types: Vec<_> = parts.iter().map(|part| part.code.value_type).collect();
-        let explain_part = |part: &Part, wanted| {
-            let fault = explain_mismatch(&format!("{shown_name} takes"), part, self.text, wanted);
-            Refusal { range: part.range.clone(), fault }
-        };
-        let is_member = matches!(syntax, Expr::Field(_) | Expr::MethodCall(_));
-        let member = name.rsplit(['.', ':']).next().unwrap_or_default();
-        if is_member && !members(types[0]).any(|(known, _)| known == member) {
-            return self.explain_unknown_member(Call { name: member, ..call });
+    pub fn explain_refused_call(&self, call: &Call) -> Refusal {
+        if call.kind.is_member() && !call.members().any(|member| member.name == call.name) {
+            return self.explain_unknown_member(call);
         }
+        if let Some(refusal) = self.explain_wrong_type(call) {
+            return refusal;
+        }
+        let refusal = |fault| Refusal { range: call.name_range.clone(), fault };
+        match call.kind {
+            OperationKind::Path => self.explain_refused_path(call),
+            OperationKind::Method | OperationKind::Field => self.explain_refused_member(call),
+            OperationKind::Sign => self.explain_refused_sign(call),
+            OperationKind::Cast => refusal(Fault::Cast),
+            OperationKind::Index => refusal(Fault::Index),
+            OperationKind::Array if call.parts.len() != 3 => refusal(Fault::ArrayLength),
+            OperationKind::Array => self.explain_wrong_parts(call, &[ValueType::F64; 3]),
+        }
+    }
+
+    /// Explains the one part that has the wrong type. Returns None if more than that is wrong.
+    fn explain_wrong_type(&self, call: &Call) -> Option<Refusal> {
+        let types = call.types();
         let mut wanted_types = ValueType::ALL;
         if types.contains(&ValueType::Array) {
             // An array is most likely meant to be a vector, so try that first.
             let vector = wanted_types.iter().position(|one| *one == ValueType::Vector);
             wanted_types[..=vector.unwrap_or(0)].rotate_right(1);
         }
+        // The receiver of a member has the right type, because it has the member.
+        let first = usize::from(call.kind.is_member());
         for value_type in wanted_types {
-            for (index, part) in parts.iter().enumerate().rev() {
+            for (index, part) in call.parts.iter().enumerate().skip(first).rev() {
                 let mut other_types = types.clone();
                 other_types[index] = value_type;
-                if find_function(name, &other_types).is_some() {
-                    return explain_part(part, value_type);
+                if find_function(call.kind, call.name, &other_types).is_some() {
+                    return Some(self.explain_part(call, part, value_type));
                 }
             }
         }
-        let fault = match name {
-            "^" => Fault::Caret,
-            "[…]" if parts.len() != 3 => Fault::ArrayLength,
-            _ if name.ends_with(']') && matches!(syntax, Expr::Index(_)) => Fault::Index,
-            _ if name.starts_with("as ") => Fault::Cast,
-            _ if is_member => return self.explain_refused_member(Call { name: member, ..call }),
-            _ => match functions().find(|function| function.name == name) {
-                Some(Function { parameters: [], .. }) => {
-                    let range = range_of(syntax);
-                    return Refusal { range, fault: Fault::NoFunction { cure: shown_name } };
-                }
-                Some(Function { parameters, .. }) if parameters.len() == parts.len() => {
-                    let mut pairs = parts.iter().zip(*parameters);
-                    match pairs.find(|(part, wanted)| part.code.value_type != **wanted) {
-                        Some((part, wanted)) => return explain_part(part, *wanted),
-                        None => Fault::Unsupported,
-                    }
-                }
-                Some(Function { parameters, .. }) => {
-                    let wanted = describe_types(parameters);
-                    Fault::Count { name: shown_name, wanted, actual: count_values(parts.len()) }
-                }
-                None if name.contains(char::is_alphanumeric) => {
-                    return self.explain_unknown_name(call);
-                }
-                None if matches!(syntax, Expr::Binary(binary) if is_assignment(&binary.op)) => {
-                    Fault::CompoundAssignment(name.to_owned())
-                }
-                None => Fault::Operator(name.to_owned()),
-            },
+        None
+    }
+
+    /// Explains why a part of a call can't have the type that it has.
+    fn explain_part(&self, call: &Call, part: &Part, wanted: ValueType) -> Refusal {
+        let subject = format!("{} takes", self.name_in_line(call));
+        let fault = explain_mismatch(&subject, part, self.text, wanted);
+        Refusal { range: part.range.clone(), fault }
+    }
+
+    /// The name of what is called, as the line has it.
+    fn name_in_line(&self, call: &Call) -> String {
+        self.text[call.name_range.clone()].to_owned()
+    }
+
+    /// Explains why a function can't be called, or a path has no value.
+    fn explain_refused_path(&self, call: &Call) -> Refusal {
+        match call.find_any_function() {
+            Some(Function { parameters: [], .. }) => {
+                let fault = Fault::NoFunction { cure: self.name_in_line(call) };
+                Refusal { range: range_of(call.syntax), fault }
+            }
+            Some(function) => self.explain_wrong_parts(call, function.parameters),
+            None if call.name.contains(char::is_alphanumeric) => self.explain_unknown_name(call),
+            // What is called isn't a name, as in `_(d)` or `()(d)`.
+            None => {
+                let fault = Fault::Operator(call.name.to_owned());
+                Refusal { range: call.name_range.clone(), fault }
+            }
+        }
+    }
+
+    /// Explains why an operator can't be applied.
+    fn explain_refused_sign(&self, call: &Call) -> Refusal {
+        let fault = match (call.find_any_function(), call.syntax) {
+            (Some(function), _) => return self.explain_wrong_parts(call, function.parameters),
+            (None, _) if call.name == "^" => Fault::Caret,
+            (None, Expr::Binary(binary)) if is_assignment(&binary.op) => {
+                Fault::CompoundAssignment(call.name.to_owned())
+            }
+            (None, _) => Fault::Operator(call.name.to_owned()),
         };
-        Refusal { range: name_range, fault }
+        Refusal { range: call.name_range.clone(), fault }
     }
 
     /// Explains why a member that the value does have can't be used in this way.
-    fn explain_refused_member(
-        &self,
-        Call { syntax, name: member, name_range, parts }: Call,
-    ) -> Refusal {
-        let range = name_range.start..range_of(syntax).end;
-        let [receiver, others @ ..] = parts else {
-            return Refusal { range, fault: Fault::Unsupported };
-        };
-        let receiver = receiver.code.value_type;
-        let methods = || members(receiver).filter(|(name, _)| *name == member);
-        let parameters = methods().map(|(_, function)| &function.parameters[1..]);
-        let parameters: Vec<_> = parameters.collect();
-        match syntax {
-            Expr::MethodCall(_) if !is_method(receiver, member) => {
-                Refusal { range, fault: Fault::Field { cure: format!(".{member}") } }
+    fn explain_refused_member(&self, call: &Call) -> Refusal {
+        let range = call.name_range.start..range_of(call.syntax).end;
+        let cure = |end| format!(".{}{end}", call.name);
+        let members: Vec<_> = call.members().filter(|member| member.name == call.name).collect();
+        let is_field = members.iter().any(|member| member.kind == OperationKind::Field);
+        let needs_only_receiver = members.iter().any(|member| member.parameters.len() == 1);
+        match (call.kind, &members[..]) {
+            (OperationKind::Method, _) if is_field => {
+                Refusal { range, fault: Fault::Field { cure: cure("") } }
             }
-            Expr::Field(_) if parameters.contains(&&[][..]) => {
-                Refusal { range, fault: Fault::MissingParentheses { cure: format!(".{member}()") } }
+            (OperationKind::Field, _) if needs_only_receiver => {
+                Refusal { range, fault: Fault::MissingParentheses { cure: cure("()") } }
             }
-            _ => {
-                let same_count = parameters.iter().find(|wanted| wanted.len() == others.len());
-                let mismatch = same_count.and_then(|wanted| {
-                    let mut pairs = others.iter().zip(*wanted);
-                    pairs.find(|(part, wanted)| part.code.value_type != **wanted)
-                });
-                let name = self.text[name_range.clone()].to_owned();
-                match mismatch {
-                    Some((part, wanted)) => {
-                        let subject = format!("{name} takes");
-                        let fault = explain_mismatch(&subject, part, self.text, *wanted);
-                        Refusal { range: part.range.clone(), fault }
-                    }
-                    None => {
-                        let wanted = describe_types(parameters.first().unwrap_or(&&[][..]));
-                        let actual = count_values(others.len());
-                        Refusal { range: name_range, fault: Fault::Count { name, wanted, actual } }
-                    }
+            (_, [first, ..]) => {
+                let same_count =
+                    members.iter().find(|member| member.parameters.len() == call.parts.len());
+                self.explain_wrong_parts(call, same_count.unwrap_or(first).parameters)
+            }
+            (_, []) => Refusal { range, fault: Fault::Unsupported },
+        }
+    }
+
+    /// Explains why the parts of a call don't fit its function, which has these parameters: there
+    /// are too few or too many, or one has the wrong type.
+    fn explain_wrong_parts(&self, call: &Call, parameters: &[ValueType]) -> Refusal {
+        let mut pairs = call.parts.iter().zip(parameters);
+        let mismatch = pairs.find(|(part, wanted)| part.code.value_type != **wanted);
+        let fault = match mismatch {
+            _ if parameters.len() != call.parts.len() => {
+                // A receiver isn't counted.
+                let first = usize::from(call.kind.is_member());
+                Fault::Count {
+                    name: self.name_in_line(call),
+                    wanted: describe_types(&parameters[first..]),
+                    actual: count_values(call.parts.len() - first),
                 }
             }
-        }
+            Some((part, wanted)) => return self.explain_part(call, part, *wanted),
+            None => Fault::Unsupported,
+        };
+        Refusal { range: call.name_range.clone(), fault }
     }
 
     /// Says that a value has no such field or method, and offers the one that is nearly right, or
     /// lists those that it has.
-    fn explain_unknown_member(
-        &self,
-        Call { syntax, name: member, name_range, parts }: Call,
-    ) -> Refusal {
+    fn explain_unknown_member(&self, call: &Call) -> Refusal {
+        let Call { syntax, kind, name: member, parts, .. } = *call;
+        let name_range = call.name_range.clone();
         let receiver = &parts[0];
         let (text, value_type) = (&self.text[receiver.range.clone()], receiver.code.value_type);
-        if member == "into" && parts.len() == 1 && matches!(syntax, Expr::MethodCall(_)) {
+        if kind == OperationKind::Method && member == "into" && parts.len() == 1 {
             let cure = match value_type {
                 ValueType::Array => format!("DVec3::from{}", in_parentheses(text)),
                 ValueType::I32 | ValueType::Bool => format!("f64::from{}", in_parentheses(text)),
@@ -237,21 +269,20 @@ impl Compiler<'_> {
             return Refusal { range: range_of(syntax), fault: Fault::Into { cure } };
         }
         let name = format!(".{member}");
-        let mut candidates = synonyms(member).into_iter().filter(|name| {
-            let types = parts.iter().map(|part| part.code.value_type).collect::<Vec<_>>();
-            find_function(&format!("{}::{name}", value_type.name()), &types).is_some()
-                && is_method(value_type, name)
-        });
+        let types = call.types();
+        let mut candidates = synonyms(member)
+            .into_iter()
+            .filter(|name| find_function(OperationKind::Method, name, &types).is_some());
         let near = candidates.next().or_else(|| {
-            let names = members(value_type).map(|(name, _)| name);
+            let names = members(value_type).map(|known| known.name);
             find_near_name(member, names).map(str::to_owned)
         });
-        let near = near.and_then(|near| members(value_type).find(|(known, _)| *known == near));
+        let near = near.and_then(|near| members(value_type).find(|known| known.name == near));
         if let Some(near) = near {
-            let (end, near) = match syntax {
+            let (end, near) = match (kind, near.kind) {
                 // The line has the parentheses already.
-                Expr::MethodCall(_) if is_method(value_type, near.0) => {
-                    (name_range.end, near.0.to_owned())
+                (OperationKind::Method, OperationKind::Method) => {
+                    (name_range.end, near.name.to_owned())
                 }
                 _ => (range_of(syntax).end, write_member(near)),
             };
@@ -260,7 +291,7 @@ impl Compiler<'_> {
         }
         let owner = ValueType::ALL.into_iter().find(|value_type| {
             *value_type != receiver.code.value_type
-                && members(*value_type).any(|(known, _)| known == member)
+                && members(*value_type).any(|known| known.name == member)
         });
         let fault = match owner {
             Some(owner) => Fault::OtherReceiver { name, owner, receiver: value_type },
@@ -275,7 +306,8 @@ impl Compiler<'_> {
 
     /// Says that there is no such name, and offers the one that is nearly right, or lists those
     /// that there are. If the line calls the name as a function, the arguments are in `parts`.
-    fn explain_unknown_name(&self, Call { syntax, name, name_range, parts }: Call) -> Refusal {
+    fn explain_unknown_name(&self, call: &Call) -> Refusal {
+        let Call { syntax, name, parts, .. } = *call;
         if let Some(cure) = self.write_as_method(name, parts) {
             let has_open_type = parts[0].code.has_open_type;
             let fault =
@@ -297,7 +329,7 @@ impl Compiler<'_> {
                 Fault::UnknownName { name: name.to_owned(), cure }
             }
         };
-        Refusal { range: name_range, fault }
+        Refusal { range: call.name_range.clone(), fault }
     }
 
     /// Rewrites a call such as `sqrt(d)` as the call of a method, `d.sqrt()`. Returns None if the
@@ -309,7 +341,7 @@ impl Compiler<'_> {
         let types: Vec<_> = parts.iter().map(|part| part.code.value_type).collect();
         let mut methods = synonyms(last);
         methods.retain(|method| is_method(first.code.value_type, method));
-        let fits = |method: &&String| find_function(&format!("{value_type}::{method}"), &types);
+        let fits = |method: &&String| find_function(OperationKind::Method, method, &types);
         let method = methods.iter().find(|method| fits(method).is_some());
         let texts = others.iter().map(|part| &self.text[part.range.clone()]);
         let others = match method {
@@ -337,9 +369,8 @@ impl Compiler<'_> {
         if let Some(variable) = variable.or_else(|| find_near_name(name, variables())) {
             return Some(self.name_as_in_places(variable));
         }
-        let is_here = |path: &&str| self.place.has_vectors || !path.starts_with("DVec3");
-        let paths = functions().map(|function| function.name).filter(|path| path.contains("::"));
-        let paths: Vec<_> = paths.filter(is_here).collect();
+        let is_here = |path: &Cow<str>| self.place.has_vectors || !path.starts_with("DVec3");
+        let paths: Vec<_> = functions().filter_map(Function::path).filter(is_here).collect();
         // The last name in a path, such as PI in std::f64::consts::PI.
         let last = |path: &str| path.rsplit("::").next().unwrap_or_default().to_ascii_lowercase();
         let find_last = |wanted: &str| {
@@ -347,7 +378,7 @@ impl Compiler<'_> {
             // For `DVec3::normalise`, a function of DVec3 is preferred to one of f64.
             let owner = name.split("::").next().unwrap_or_default();
             let own = paths.clone().find(|path| path.starts_with(owner));
-            own.or_else(|| paths.next()).map(|path| (*path).to_owned())
+            own.or_else(|| paths.next()).map(|path| path.clone().into_owned())
         };
         let word = last(name);
         let same = (name.len() > 1).then(|| find_last(&word)).flatten();
@@ -421,7 +452,8 @@ impl Compiler<'_> {
         let last = name.rsplit("::").next().unwrap_or_default();
         let is_method =
             |name: &String| ValueType::ALL.into_iter().any(|kind| is_method(kind, name));
-        if is_known(&name) || synonyms(last).iter().any(is_method) {
+        let is_known = functions().any(|function| function.is_named(OperationKind::Path, &name));
+        if is_known || synonyms(last).iter().any(is_method) {
             return None;
         }
         let mut arguments = call.args.iter();
@@ -429,7 +461,8 @@ impl Compiler<'_> {
             || arguments.any(|argument| self.refuse_unknown_chain(argument).is_some());
         has_no_value.then(|| {
             let name_range = range_of(&call.func);
-            self.explain_unknown_name(Call { syntax, name: &name, name_range, parts: &[] })
+            let kind = OperationKind::Path;
+            self.explain_unknown_name(&Call { syntax, kind, name: &name, name_range, parts: &[] })
         })
     }
 }
@@ -470,7 +503,7 @@ mod tests {
     #[test]
     fn member_is_written_as_a_line_has_it() {
         let write = |value_type, name| {
-            write_member(members(value_type).find(|(known, _)| *known == name).expect(name))
+            write_member(members(value_type).find(|known| known.name == name).expect(name))
         };
         assert_eq!(write(ValueType::Vector, "x"), "x");
         assert_eq!(write(ValueType::Vector, "length"), "length()");
