@@ -447,9 +447,9 @@
     /** @type {Map<Element, Figure>} */
     const figures = new Map();
 
-    // A figure becomes interactive when it comes near the view, and a preview when a reader points
-    // at it. Only then is the module loaded. If that fails, the page says why, and tries again
-    // while the figure is near the view.
+    // An ordinary figure becomes interactive when it comes near the view. A preview becomes
+    // interactive only when a reader points at it. Only then is the module loaded. If that fails,
+    // the page says why, and tries again while the figure is near the view.
     /** @param {HTMLElement} root */
     book.activateFigure = async root => {
         const controls = root.querySelector(".controls");
@@ -471,7 +471,8 @@
     };
     book.whenNear(document.querySelectorAll("figure:is([data-live], .woken)"), book.activateFigure);
 
-    // Repeats what woke a preview, a press or the focus, now that the preview can react to it.
+    // Repeats the event that woke a preview (a press or a focus), now that the preview can react to
+    // it.
     /** @param {Figure} figure */
     function beginPreview({ root, output, handles }) {
         if (root === document.activeElement) handles[0].element.focus({ preventScroll: true });

@@ -110,10 +110,15 @@
             else if (location.hash.startsWith(SCENE)) history.replaceState(null, "", location.pathname);
             keepState();
         };
-        figure.afterShow(() => {
+        // A drag that pauses isn't over: it ends when the pointer is lifted.
+        let isPressed = false;
+        figure.root.addEventListener("pointerdown", () => { isPressed = true; });
+        for (const kind of ["pointerup", "pointercancel"]) addEventListener(kind, () => { isPressed = false; });
+        const writeAtRest = () => {
             clearTimeout(restTimer);
-            restTimer = setTimeout(writeAddress, 200);
-        });
+            restTimer = setTimeout(() => isPressed ? writeAtRest() : writeAddress(), 200);
+        };
+        figure.afterShow(writeAtRest);
         const openScene = () => {
             // A link to a heading has replaced the scene in the address. The page has scrolled to
             // the heading by now, so the address can hold the scene again.

@@ -11,6 +11,9 @@ test('a ball is dragged, coloured, undone and kept, and a sphere comes in', asyn
   const move = (i, j) => page.mouse.move(x + i / 640 * width, y + j / 640 * width, { steps: 3 });
   await move(250, 240); // The red ball, beside its ring.
   await page.mouse.down();
+  await move(250, 220);
+  await page.waitForTimeout(400);
+  await expect(page, 'a drag that pauses is not over').not.toHaveURL(/#scene/);
   await move(250, 200);
   await page.mouse.up();
   await page.keyboard.press('ControlOrMeta+z'); // Before the address is written.

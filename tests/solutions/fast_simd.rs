@@ -3,7 +3,7 @@
 use super::fast::draw;
 use course::environment::is_thorough;
 use course::examples::look_at::look_at;
-use course::{camera_with_size, named_scene};
+use course::{camera_with_size, generate_scene};
 use fearless_simd::{Level, Simd};
 use glam::{DMat3, DVec3};
 use step05_phong::*;
@@ -37,7 +37,7 @@ fn assert_fast_draws(camera: &Camera, samples: u32, scene: &Scene<Material, Ligh
 /// A scene of spheres of all sizes in any position, with up to four lights. A few of the spheres
 /// occur twice, usually in different materials.
 fn random_scene(random: &mut RandomInputs) -> Scene<Material, Light> {
-    let mut scene = named_scene(&random.index(10_000).to_string());
+    let mut scene = generate_scene(&random.index(10_000).to_string());
     let objects = scene.objects.clone();
     let count = [0, 1, 5, 40, 300][random.index(5)];
     scene.objects = (0..count)
@@ -98,7 +98,7 @@ fn fast_draws_the_bytes_of_render_from_inside_a_ball_and_from_its_surface() {
 // farther away, so `fast` may well test it first. The first in the scene still has to win the tie.
 #[test]
 fn fast_shows_the_first_of_two_spheres_that_touch_where_a_ray_meets_them() {
-    let mut scene = named_scene("touching");
+    let mut scene = generate_scene("touching");
     scene.objects.truncate(2);
     for (object, r) in scene.objects.iter_mut().zip([1.0, 2.0]) {
         object.sphere = Sphere { centre: DVec3::new(0.0, 0.0, -4.0 - r), radius: r };
@@ -127,7 +127,7 @@ fn fast_draws_the_bytes_of_render_with_a_light_at_a_visible_point() {
 // If the columns of a camera's matrix lie in one plane, so do all of its rays, which may even
 // coincide.
 #[test]
-fn fast_draws_the_bytes_of_render_for_a_picture_without_depth() {
+fn fast_draws_the_bytes_of_render_for_rays_in_one_plane() {
     test_law(15, |random| {
         let (scene, mut camera) = (random_scene(random), random_camera(random));
         match random.index(3) {
@@ -152,8 +152,8 @@ fn fast_draws_the_bytes_of_render_for_a_picture_with_hardly_any_depth() {
             depth * DVec3::NEG_Z - 15.5 * x - random.number(0.0, f64::from(size.1)) * y;
         let roll = random.number(-3.0, 3.0);
         let camera = look_at(&camera, random.point(), DVec3::NEG_Z, roll);
-        let objects = named_scene("turned").objects;
-        let mut scene = named_scene("turned");
+        let objects = generate_scene("turned").objects;
+        let mut scene = generate_scene("turned");
         scene.objects.clear();
         for k in 0..10 + random.index(20) {
             let mut object = objects[k % objects.len()];
@@ -172,7 +172,7 @@ fn fast_draws_the_bytes_of_render_for_a_picture_with_hardly_any_depth() {
 #[test]
 fn fast_draws_the_bytes_of_render_for_parts_of_random_scenes() {
     test_law(if is_thorough() { 250 } else { 50 }, |random| {
-        let mut scene = named_scene(&random.index(10_000).to_string());
+        let mut scene = generate_scene(&random.index(10_000).to_string());
         scene.lights.truncate(random.index(3));
         scene.objects.truncate(random.index(10));
         // Every sphere occurs twice, in two materials. Only the first of the two may be seen.
@@ -210,7 +210,7 @@ fn fast_draws_the_bytes_of_render_where_rounding_errors_are_larger_than_the_sphe
         if random.index(2) == 0 {
             spheres.retain(|sphere| *sphere != ball);
         }
-        let mut scene = named_scene("rounded");
+        let mut scene = generate_scene("rounded");
         let materials = scene.objects.iter().map(|object| object.material);
         let materials: Vec<_> = materials.collect();
         scene.objects = (spheres.into_iter().zip(materials.into_iter().cycle()))
@@ -233,7 +233,7 @@ fn fast_rounds_like_render() {
         let radius = to_centre.reject_from(ray.direction).length();
         let tangent_sphere = Sphere { radius, ..hit_sphere };
         let with_sphere = |sphere, ambient_light| {
-            let mut scene = Scene { ambient_light, ..named_scene("rounded") };
+            let mut scene = Scene { ambient_light, ..generate_scene("rounded") };
             scene.objects.truncate(1);
             scene.objects[0].sphere = sphere;
             scene.objects[0].material.matte.ambient = DVec3::ONE;

@@ -1,13 +1,13 @@
 //! Tests of the scenes that are made from students' names.
 
-use course::named_scene;
+use course::generate_scene;
 use std::collections::HashSet;
 use support::primary_rays;
 
 #[test]
 fn spheres_of_a_named_scene_do_not_meet_and_no_ray_touches_one() {
     for name in ["ada", "bob", ""] {
-        let objects = named_scene(name).objects;
+        let objects = generate_scene(name).objects;
         // A sphere rests on the ground only to within two digits, as in the course's scene, so a
         // small overlap is allowed.
         for (k, a) in objects.iter().enumerate() {
@@ -29,7 +29,7 @@ fn spheres_of_a_named_scene_do_not_meet_and_no_ray_touches_one() {
 
 #[test]
 fn names_have_scenes_of_their_own() {
-    let scene_text = |name: &str| format!("{:?}", named_scene(name));
+    let scene_text = |name: &str| format!("{:?}", generate_scene(name));
     let names = (0..1000).map(|k| format!("student {k}"));
     let scenes: HashSet<_> = names.map(|name| scene_text(&name)).collect();
     assert_eq!(scenes.len(), 1000);

@@ -9,8 +9,8 @@ use std::collections::BTreeMap;
 /// Solutions without an exercise on a practice page: `fast` has its own page, "Faster".
 const WITHOUT_PRACTICE: [&str; 1] = ["fast"];
 
-/// Maps each section of a page that is named after an exercise to the pictures that the forms in
-/// that section check.
+/// Returns a map from the name of each exercise's section on a page to the pictures that the forms
+/// in that section check.
 fn sections(page: &Page) -> BTreeMap<&str, Vec<&str>> {
     let (mut sections, mut section) = (BTreeMap::new(), None);
     for element in &page.elements {

@@ -77,7 +77,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn markup_is_escaped_outside_of_tags() {
+    fn markdown_signs_are_escaped_outside_of_tags() {
         assert_eq!(escape_markdown("<mi a_b=\"c\">a_*</mi>\n"), "<mi a_b=\"c\">a&#95;&#42;</mi> ");
     }
 

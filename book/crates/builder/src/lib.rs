@@ -24,8 +24,8 @@
 //!   interactive once the reader touches it.
 //! - `pixel-panel` … `end` is the box *This pixel* below an interactive picture with a *probe*. Its
 //!   text follows the chosen pixel from its ray to its three bytes, with a `number` for each step
-//!   on the way. In a table there, `rows` with a picture and columns becomes a row for each sphere
-//!   or mirror.
+//!   on the way. In a table inside that box, `rows`, followed by a picture's name and the columns to
+//!   show, becomes a row for each sphere or mirror.
 //! - A *box* (`predict`, `hints`, `aside`, `answer` … `end`) is folded until the reader opens it.
 //! - A `problem` is solved on paper. Its answer is a number, and the box `answer` shows how to get
 //!   there. `problem-sheet` repeats the problems from all chapters.

@@ -56,8 +56,8 @@ pub fn expand_listing(
     {
         return Err(ChapterError::UnknownProgram(name.to_owned()));
     }
-    let new_lines =
-        file_of_step_before(path, &sources.workspace).map_or(vec![], |old| new_lines(&code, &old));
+    let new_lines = read_file_of_nearest_earlier_step(path, &sources.workspace)
+        .map_or(vec![], |old| new_lines(&code, &old));
     let places = places_list(path, &code);
     let listing = Listing { path, language, code: &code, extent, new_lines, places, scene };
     Ok(ExpandedListing { markdown: listing.markdown(ids), has_places: listing.places.is_some() })
@@ -166,7 +166,7 @@ impl Listing<'_> {
 }
 
 /// Reads the file of the same name in the nearest earlier step that has one.
-fn file_of_step_before(path: &str, workspace: &Path) -> Option<String> {
+fn read_file_of_nearest_earlier_step(path: &str, workspace: &Path) -> Option<String> {
     let (step, file) = path.strip_prefix("steps/")?.split_once('/')?;
     let mut earlier_names = Step::NAMES.into_iter().rev().skip_while(|name| *name != step).skip(1);
     earlier_names

@@ -11,12 +11,12 @@ use std::fs;
 use std::io::Cursor;
 use std::path::{Path, PathBuf};
 
-/// The folder for the files that a build generates. It is beside the chapters, and in the book
-/// beside the pages.
+/// The folder for the files that a build generates. In the source, it is in the folder of the
+/// chapters, and in the built book, in the folder of the pages.
 pub const GENERATED: &str = "generated/";
 
-/// The columns with which step 5 draws the cover for small screens. On a phone, the cover is some 350
-/// pixels wide, and the phone has 2 or 3 of its own for each of these.
+/// The columns with which step 5 draws the cover for small screens. On a phone, the cover is about
+/// 350 CSS pixels wide, each of which is 2 or 3 device pixels wide.
 const COVER_COLUMNS: [u32; 2] = [720, 960];
 
 /// The sub-pixels of each pixel of the cover, in each direction.

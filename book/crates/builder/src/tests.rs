@@ -149,7 +149,7 @@ fn search_has_the_words_of_readers() {
 }
 
 #[test]
-fn words_of_readers_for_a_section_that_is_gone_are_a_fault() {
+fn search_words_for_a_section_that_is_gone_are_a_fault() {
     let words =
         "@ a.html#a\nreal words\n\n@ a.html#gone\nwords\n\n@ b.html#b\n! E0001 → A sentence.\n";
     let error = search::index_script(&small_site(), words).expect_err("two faults");

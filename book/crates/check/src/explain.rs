@@ -10,7 +10,7 @@ use crate::other_options::{Options, find_options};
 use crate::reader_picture::ReaderPicture;
 use crate::target::Target;
 use crate::transformed::{describe_transformed_or_uniform, uniform_colour};
-use crate::wrong_pixel::describe_wrong_pixel;
+use crate::wrong_pixel::describe_most_different_pixel;
 use course::{Mistake, Step};
 
 /// The maximum number of causes that an answer names.
@@ -203,7 +203,7 @@ fn describe_comparison(comparison: &Comparison, facts: Vec<String>) -> Vec<Strin
         };
         lines.push(format!("The tests by hand of {steps} may find it: {TESTS}"));
     }
-    lines.extend(describe_wrong_pixel(comparison).lines().map(str::to_owned));
+    lines.extend(describe_most_different_pixel(comparison).lines().map(str::to_owned));
     lines
 }
 

@@ -125,7 +125,7 @@ pub(crate) fn find_options(scene: &StepScene, yours: &RgbImage) -> Option<Option
     let (probe_budget, budget) = (Budget::new(PROBE_RAYS), Budget::new(2 * MAX_RAYS));
     let mut border_probes: Vec<_> = border_positions(size).take(PROBES).collect();
     let mut probes: Vec<_> = scattered_positions(size).take(PROBES).collect();
-    for fov_degrees in plain_angles().chain(fine_angles(yours)) {
+    for fov_degrees in plain_angles().chain(fine_angles_that_fit_border(yours)) {
         let camera = Camera::new(columns, rows, fov_degrees.to_radians());
         let may_be_right = |position: &_| may_be_right(scene, &camera, yours, *position);
         if !probe_budget.holds_for_all(&mut border_probes, 1, may_be_right) {
@@ -160,7 +160,7 @@ fn plain_angles() -> impl Iterator<Item = f64> {
 
 /// Returns angles with two and three decimals that fit the upper half of a picture's border, if
 /// that shows the sky. If only a narrow range fits, angles with four decimals follow.
-fn fine_angles(yours: &RgbImage) -> impl Iterator<Item = f64> {
+fn fine_angles_that_fit_border(yours: &RgbImage) -> impl Iterator<Item = f64> {
     let (columns, rows) = yours.dimensions();
     let side = f64::from(columns - 1);
     let mut intervals = vec![];

@@ -1,6 +1,6 @@
 //! A scene, drawn by the functions of a step.
 
-use course::{LIGHT_NAMES, OwnScene, Step, named_scene};
+use course::{LIGHT_NAMES, OwnScene, Step, generate_scene};
 use glam::DVec3;
 use step01_rays::rgb8;
 use step05_phong::{Light, Ray, Terms, ambient, direction_colour, light_terms, normal};
@@ -41,7 +41,7 @@ impl StepScene {
     /// The scene that is generated from a name, drawn by step 5.
     pub fn of_name(name: &str) -> Self {
         let light_names = ["the first light", "the second light"];
-        Self { step: Step::Phong, own: OwnScene::new(named_scene(name)), light_names }
+        Self { step: Step::Phong, own: OwnScene::new(generate_scene(name)), light_names }
     }
 
     /// The names of the objects, with an article unless they end in a number.

@@ -7,7 +7,7 @@ use course::Step;
 use step05_phong::{Ray, normal};
 
 /// Describes the wrong pixel that differs most: both colours, and what our program computes there.
-pub(crate) fn describe_wrong_pixel(
+pub(crate) fn describe_most_different_pixel(
     Comparison { target, most_different, .. }: &Comparison,
 ) -> String {
     let Pixel { position: (i, j), ray, hit, yours, ours } = most_different;

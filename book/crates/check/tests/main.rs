@@ -11,7 +11,7 @@ mod program;
 mod small_pictures;
 
 use check::{Answer, CheckError, check_png};
-use course::{camera, locked_picture_path, named_scene, read_locked_picture};
+use course::{camera, generate_scene, locked_picture_path, read_locked_picture};
 use glam::DVec3;
 use image::{DynamicImage, ImageFormat, Rgb, RgbImage};
 use insta::{assert_snapshot, with_settings};
@@ -41,7 +41,7 @@ fn draw(colour: impl Fn(&Ray) -> DVec3 + Sync) -> RgbImage {
 
 /// Draws the scene that is generated from a name.
 fn draw_named_scene(name: &str) -> RgbImage {
-    let scene = named_scene(name);
+    let scene = generate_scene(name);
     draw(|ray| step05_phong::colour(&scene, ray))
 }
 

@@ -204,7 +204,7 @@ fn answers_about_colours_are_as_locked() {
 
 #[test]
 fn answers_about_scenes_of_names_are_as_locked() {
-    let ada = course::named_scene("ada");
+    let ada = course::generate_scene("ada");
     let mut small_ball = ada.clone();
     small_ball.objects[3].sphere.radius = 1.0;
     let rows = [

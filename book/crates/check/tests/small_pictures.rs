@@ -408,7 +408,7 @@ fn shapes_of_undrawn_pixels_are_as_locked() {
 }
 
 #[test]
-fn whole_small_pictures_are_as_locked() {
+fn answers_about_transformed_pictures_are_as_locked() {
     let ours = small_picture(Step::Nearest);
     let swapped = |order: [usize; 3]| map_small(Step::Nearest, move |_, _, c| order.map(|k| c[k]));
     let part = |i, j, w, h| image::imageops::crop_imm(&ours, i, j, w, h).to_image();

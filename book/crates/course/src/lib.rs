@@ -44,7 +44,7 @@ pub use mistakes::{
 mod scenes;
 pub use scenes::{
     Component, GROUND, LIGHT_NAMES, LightName, OwnScene, Owner, QUANTITIES, Quantity, Scalar,
-    TypedRange, named_scene,
+    TypedRange, generate_scene,
 };
 
 mod pictures;

@@ -49,7 +49,7 @@ fn json_lines(json: &str) -> String {
     lines
 }
 
-/// The requests about a figure in words, each followed by its reply.
+/// Lists the requests about a figure, each described in words and followed by its reply.
 fn replies(figure: &Figure, requests: &[(String, FigureRequest)]) -> String {
     let parts = requests
         .iter()

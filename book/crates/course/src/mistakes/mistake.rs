@@ -159,7 +159,7 @@ struct MarkedLines {
 
 impl MarkedLines {
     fn add_line(&mut self, step: Step, line: &'static str) -> Result<(), MistakeListFault> {
-        // Of an empty line of code, there is only the mark.
+        // If the line of code is empty, there is just the mark, with no space after it.
         let (mark, words) = line.split_once(' ').unwrap_or((line, ""));
         match mark {
             "-" => self.old.push(words),
@@ -194,7 +194,7 @@ impl MarkedLines {
     }
 }
 
-/// Sets the words of a line that a mistake has at most once.
+/// Stores the words of a line whose mark may appear at most once per mistake.
 fn set_once(
     line: &mut Option<&'static str>,
     mark: char,

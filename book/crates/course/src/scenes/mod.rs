@@ -6,6 +6,6 @@ mod named_scene;
 mod own_scene;
 mod quantity;
 pub use light_names::{LIGHT_NAMES, LightName};
-pub use named_scene::named_scene;
+pub use named_scene::generate_scene;
 pub use own_scene::OwnScene;
 pub use quantity::{Component, GROUND, Owner, QUANTITIES, Quantity, Scalar, TypedRange};

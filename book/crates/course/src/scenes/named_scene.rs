@@ -18,7 +18,7 @@ const NAMES: [&str; OBJECTS.len()] =
 /// Whitespace around the name is ignored, and any amount of it between two words counts as one
 /// space. The caller should convert the name to NFC, Unicode's composed form: the same letters in a
 /// different form are different bytes, and give a different scene.
-pub fn named_scene(name: &str) -> Scene<Material, Light> {
+pub fn generate_scene(name: &str) -> Scene<Material, Light> {
     let name = name.split_whitespace().collect::<Vec<_>>().join(" ");
     let mut choices = 0;
     let mut choose = |count: usize| {
@@ -64,7 +64,7 @@ mod tests {
     use step05_phong::Sphere;
 
     fn scene_numbers(name: &str) -> Vec<f64> {
-        let Scene { objects, lights, .. } = named_scene(name);
+        let Scene { objects, lights, .. } = generate_scene(name);
         let spheres = objects.iter().flat_map(|object| {
             let centre = object.sphere.centre.to_array();
             centre.into_iter().chain([object.sphere.radius, object.material.specular.x])
@@ -84,7 +84,7 @@ mod tests {
     #[test]
     fn spheres_are_inside_those_of_the_course() {
         for name in ["Ada", "Grace", "Alan", "Edsger"] {
-            for (object, course) in named_scene(name).objects.iter().zip(OBJECTS) {
+            for (object, course) in generate_scene(name).objects.iter().zip(OBJECTS) {
                 let Sphere { mut centre, radius } = object.sphere;
                 // The scene may be mirrored.
                 centre.x = centre.x.abs() * course.sphere.centre.x.signum();

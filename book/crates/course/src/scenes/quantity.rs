@@ -49,8 +49,8 @@ pub struct TypedRange {
 pub struct Scalar {
     /// The symbol, or an empty string.
     pub symbol: &'static str,
-    /// The name that readers see, which is the label of its control. After the owner's name, it is
-    /// also the name of the parameter in the page's address.
+    /// The name that readers see, which is the label of its control. In the page's address, the
+    /// parameter's name is the owner's name followed by this label.
     pub label: &'static str,
     /// The unit, such as °, or an empty string.
     pub unit: &'static str,
@@ -62,8 +62,9 @@ pub struct Scalar {
     pub steps_per_unit: f64,
     /// Whether the number has an effect only in a scene with shadows and mirrors.
     pub needs_mirrors: bool,
-    /// Which component of its owner's position or colour this is. None for all other numbers,
-    /// among them the position of the camera, which has two points, and the colour of highlights.
+    /// Which component of its owner's position or colour this is. None for all other numbers. Those
+    /// include the colour of highlights, and the position of the camera: a camera has two points,
+    /// so neither counts as its position.
     pub component: Option<Component>,
     property: Property,
     /// The axis or channel, for a property that has three numbers; otherwise 0.

@@ -99,7 +99,7 @@ impl CameraFigure {
     }
 
     /// Draws V_0, D_u and D_v, and the steps that lead to the pixel.
-    fn draw_steps(&self, drawing: &mut Drawing) {
+    fn draw_vectors_to_pixel(&self, drawing: &mut Drawing) {
         let Camera { centre, matrix, .. } = self.camera;
         let (d_u, d_v, v_0) = (matrix.x_axis, matrix.y_axis, matrix.z_axis);
         let (c, first) = (self.project(centre), self.project(v_0));
@@ -129,7 +129,7 @@ fn draw(values: &ParameterValues) -> Drawing {
     let c = figure.project(DVec3::ZERO);
     let mut drawing = Drawing::new(310.0);
     figure.draw_pyramid(&mut drawing);
-    figure.draw_steps(&mut drawing);
+    figure.draw_vectors_to_pixel(&mut drawing);
     drawing.dot("eye", c);
     drawing.label("strong end", c + dvec2(-12.0, 6.0), "$C$");
     drawing.arrow("ray", c, figure.project(figure.ray().at(1.26)));

@@ -75,7 +75,7 @@ fn draw_beam(drawing: &mut Drawing, ground: DVec2, degrees: f64) {
     }
     if angle > 0.0 {
         drawing.arc("axis", ground, 92.0, [FRAC_PI_2, FRAC_PI_2 + angle]);
-        drawing.label("end", ground + dvec2(-30.0, -100.0), "$α$");
+        drawing.label("end over", ground + dvec2(-30.0, -100.0), "$α$");
     }
     let is_strip = is_lit && edge == 1.0;
     if is_strip {
@@ -86,7 +86,7 @@ fn draw_beam(drawing: &mut Drawing, ground: DVec2, degrees: f64) {
         if angle > 0.0 {
             drawing.label("strong over", corner + 26.0 * across + 16.0 * to_light, "$w$");
             drawing.arc("axis", corner, 24.0, [0.0, angle]);
-            drawing.label("", corner + dvec2(34.0, -8.0), "$α$");
+            drawing.label("over", corner + dvec2(34.0, -8.0), "$α$");
             drawing.label("over", corner + dvec2(0.0, 22.0), "$A$");
             drawing.label("over", foot(1.0) + dvec2(0.0, 22.0), "$B$");
             drawing.label("over", end + 14.0 * across + dvec2(2.0, 5.0), "$C$");

@@ -48,7 +48,9 @@ pub fn figure() -> Figure {
         ],
         has_something_to_show: |values| {
             let is_long = ray_and_t(values).0.direction.length() >= 1.0;
-            is_long && is_in_drawing(position(values, 0.0)) && is_in_drawing(tip(values))
+            is_long
+                && is_well_inside_drawing(position(values, 0.0))
+                && is_well_inside_drawing(tip(values))
         },
         readouts,
         ..Figure::new("ray", CONTENT)
@@ -71,7 +73,7 @@ fn tip(values: &ParameterValues) -> DVec2 {
     position(values, 1.0) + BESIDE
 }
 
-fn is_in_drawing(position: DVec2) -> bool {
+fn is_well_inside_drawing(position: DVec2) -> bool {
     position.clamp(DVec2::splat(14.0), SIZE - 14.0) == position
 }
 
@@ -80,7 +82,7 @@ fn draw(values: &ParameterValues) -> Drawing {
     let (s, v) = (position(0.0), position(1.0) - position(0.0));
     let mut drawing = Drawing::new(SIZE.y);
     let steps = (0..).map(|k| 0.1 * f64::from(k));
-    let end = steps.take_while(|t| is_in_drawing(position(*t))).last().unwrap_or(0.0);
+    let end = steps.take_while(|t| is_well_inside_drawing(position(*t))).last().unwrap_or(0.0);
     drawing.line("guide", s - 90.0 * v.normalize(), s);
     drawing.arrow("ray", s, position(end));
     drawing.arrow("vector", s + BESIDE, tip(values));
@@ -90,7 +92,7 @@ fn draw(values: &ParameterValues) -> Drawing {
     let shift = dvec2(8.0, if v.x * v.y <= 0.0 { 28.0 } else { -18.0 });
     for t in (-1..10).map(|k| f64::from(k).max(-0.5)) {
         let label = position(t) + shift;
-        if is_in_drawing(position(t)) && is_in_drawing(label + dvec2(38.0, 0.0)) {
+        if is_well_inside_drawing(position(t)) && is_well_inside_drawing(label + dvec2(38.0, 0.0)) {
             drawing.dot(if t < 0.0 { "behind" } else { "ray" }, position(t));
             drawing.label("quiet over start", label, &format!("$t$ = {}", format_number(t)));
         }

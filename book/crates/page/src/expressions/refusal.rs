@@ -173,8 +173,8 @@ pub enum Fault {
 }
 
 impl Fault {
-    /// The code that the fault's sentence offers to replace the wrong part of the line. None if it
-    /// offers no code, or only code with gaps.
+    /// The replacement that the fault's sentence suggests for the wrong part of the line. None if
+    /// it offers no code, or only code with gaps.
     pub fn cure(&self) -> Option<&str> {
         let cure = match self {
             Fault::Assignment { cure, .. }

@@ -135,7 +135,7 @@ impl Compiler<'_> {
         let refusal = |fault| Refusal { range: call.name_range.clone(), fault };
         match call.kind {
             OperationKind::Path => self.explain_refused_path(call),
-            OperationKind::Method | OperationKind::Field => self.explain_refused_member(call),
+            OperationKind::Method | OperationKind::Field => self.explain_misused_member(call),
             OperationKind::Sign => self.explain_refused_sign(call),
             OperationKind::Cast => refusal(Fault::Cast),
             OperationKind::Index => refusal(Fault::Index),
@@ -210,7 +210,7 @@ impl Compiler<'_> {
     }
 
     /// Explains why a member that the value does have can't be used in this way.
-    fn explain_refused_member(&self, call: &Call) -> Refusal {
+    fn explain_misused_member(&self, call: &Call) -> Refusal {
         let range = call.name_range.start..range_of(call.syntax).end;
         let cure = |end| format!(".{}{end}", call.name);
         let members: Vec<_> = call.members().filter(|member| member.name == call.name).collect();
@@ -314,7 +314,7 @@ impl Compiler<'_> {
                 if has_open_type { Fault::Function { cure } } else { Fault::Method { cure } };
             return Refusal { range: range_of(syntax), fault };
         }
-        let fault = match self.find_near_path(name) {
+        let fault = match self.find_near_name_or_path(name) {
             Some(near) => Fault::NearName { name: name.to_owned(), near },
             None if name.to_ascii_lowercase().contains("vec3") && !self.place.has_vectors => {
                 Fault::NoVectors
@@ -362,7 +362,7 @@ impl Compiler<'_> {
     }
 
     /// Finds the name of a value, or the path of a function, that is most like `name`.
-    fn find_near_path(&self, name: &str) -> Option<String> {
+    fn find_near_name_or_path(&self, name: &str) -> Option<String> {
         let variables = || self.names.iter().map(|(known, _)| &**known);
         let converted = format!("f64::from({name})");
         let variable = variables().find(|known| *known == converted);
@@ -527,7 +527,7 @@ mod tests {
             ("flooor", Some("f64::floor")),
             ("teapot", None),
         ] {
-            assert_eq!(compiler.find_near_path(name).as_deref(), near, "{name}");
+            assert_eq!(compiler.find_near_name_or_path(name).as_deref(), near, "{name}");
         }
     }
 }

@@ -21,7 +21,7 @@ const MAX_LENGTH: usize = 250;
 pub fn parse_syntax(place: &Place, text: &str) -> Result<Vec<Stmt>, Refusal> {
     let has_note = |note| place.notes.contains(&note);
     let ends_block = has_note(PlaceNote::EndsBlock);
-    check_characters(text, ends_block || has_note(PlaceNote::EndsRow))?;
+    refuse_unreadable_text(text, ends_block || has_note(PlaceNote::EndsRow))?;
     // Forget the lines parsed so far, all of which would otherwise stay in memory.
     proc_macro2::extra::invalidate_current_thread_spans();
     let error = match syn::parse_str(text) {
@@ -61,7 +61,7 @@ fn find_last_comment(text: &str) -> Option<usize> {
 }
 
 /// Refuses characters that no line may contain, and lines that are too long.
-fn check_characters(text: &str, ends_row: bool) -> Result<(), Refusal> {
+fn refuse_unreadable_text(text: &str, ends_row: bool) -> Result<(), Refusal> {
     if text.len() > MAX_LENGTH {
         return refuse(0..text.len(), Fault::LongText);
     }
