@@ -23,7 +23,7 @@ fn ray_at() {
 fn camera_ray_of_a_pixel() {
     let ray = camera().ray(480.0, 90.0);
     near(ray.direction, [0.29, 0.1617, -1.0]);
-    // A camera that took 1.78 for 640/360 would be right in the four digits above, and
+    // A camera that took 1.78 for 639/359 would be right in the four digits above, and
     // wrong at the edges in the picture of step 3.
     let six_digits = DVec3::new(0.290030, 0.161730, -1.0);
     assert!(ray.direction.abs_diff_eq(six_digits, 5e-7), "{}", ray.direction);

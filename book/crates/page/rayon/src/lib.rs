@@ -1,9 +1,8 @@
 //! What the steps and `check` use of rayon, on one thread.
 //!
-//! A page has one thread, and there the real rayon would draw on that. But it would also compile
-//! the code that shares rows among threads once for each picture, which makes a quarter of
-//! `check.wasm`. If something more of rayon is used, the modules don't compile until it is here,
-//! too.
+//! A page has one thread, and the real rayon would draw on that one, too. But the compiler would
+//! repeat its code, which shares rows among threads, for each picture. That would be a fifth of
+//! `check.wasm`. If the steps or `check` use more of rayon than is here, the modules don't compile.
 
 use std::convert::Infallible;
 use std::slice;
