@@ -1,13 +1,12 @@
 // Every figure first looks as printed, changes with its handles and controls, and is restored by
 // Reset.
 import { figures } from './book.js';
-import { expect, open, readPixels, test } from './fixtures.js';
+import { expect, makeReady, open, readPixels, test } from './fixtures.js';
 
 test('a handle goes to its ends, and says nothing there', async ({ page, home }) => {
   await open(page, `${home}step01_rays.html`);
   const figure = page.locator('#figure-ray');
-  await figure.scrollIntoViewIfNeeded();
-  await figure.and(page.locator('[data-ready]')).waitFor({ timeout: 20_000 });
+  await makeReady(figure);
   const handle = figure.getByRole('slider', { name: 'the start S' });
   await handle.focus();
   const position = () => handle.evaluate(one => Number(one.getAttribute('aria-valuenow')));
@@ -25,8 +24,7 @@ test('a handle goes to its ends, and says nothing there', async ({ page, home })
 test('a typed number that a figure cannot use is explained', async ({ page, home }) => {
   await open(page, `${home}step04_diffuse.html`);
   const figure = page.locator('#figure-attenuation');
-  await figure.scrollIntoViewIfNeeded();
-  await figure.and(page.locator('[data-ready]')).waitFor({ timeout: 20_000 });
+  await makeReady(figure);
   const field = figure.getByRole('textbox', { name: 'c of your curve' });
   for (const [text, words] of [['-5', 'The figure shows 0 instead.'], ['0.1', '']]) {
     await field.fill(text);
@@ -48,8 +46,7 @@ test('labels of drawings do not overlap, and no handle covers one', async ({ pag
     await open(page, home + name);
     await page.evaluate(() => document.querySelectorAll('details').forEach(box => { box.open = true; }));
     for (const figure of await page.locator('.drawing[data-live]').all()) {
-      await figure.scrollIntoViewIfNeeded();
-      await figure.and(page.locator('[data-ready]')).waitFor({ timeout: 20_000 });
+      await makeReady(figure);
     }
     const faults = await page.evaluate(async () => {
       await document.fonts.ready;
@@ -83,8 +80,7 @@ for (const [name, figure, k] of figures) {
     await open(page, home + name);
     page.on('dialog', dialog => dialog.accept()); // The reader's own scene asks before it is wiped.
     const root = page.locator('figure[data-live]').nth(k);
-    await root.scrollIntoViewIfNeeded();
-    await root.and(page.locator('[data-ready]')).waitFor({ timeout: 20_000 });
+    await makeReady(root);
 
     // Describes everything that is drawn, and the positions of the handles.
     const look = async () => {

@@ -45,6 +45,12 @@ export async function open(page, address) {
   await page.locator('script[src$="search.js"]').waitFor({ state: 'attached' });
 }
 
+// Scrolls to a figure, and waits until it is interactive.
+export async function makeReady(figure) {
+  await figure.scrollIntoViewIfNeeded();
+  await figure.and(figure.page().locator('[data-ready]')).waitFor({ timeout: 20_000 });
+}
+
 // Returns the pixels of an image or a canvas, as a data URL of a PNG file.
 export const readPixels = picture => picture.evaluate(async one => {
   one.loading = 'eager';

@@ -1,6 +1,6 @@
 // Choosing a pixel shows a line about it below the picture, opens its panel, and changes the
 // address.
-import { expect, open, test } from './fixtures.js';
+import { expect, makeReady, open, test } from './fixtures.js';
 
 test('a link that names a pixel selects it, and Back returns to the link', async ({ page, home }) => {
   await open(page, `${home}step03_nearest.html`);
@@ -29,8 +29,7 @@ test('a link that names a pixel selects it, and Back returns to the link', async
 test('the first click on a picture opens the panel beside it, and the address follows the pixel', async ({ page, home }) => {
   await open(page, `${home}step05_phong.html`);
   const [figure, panel] = [page.locator('figure[data-live="step05_phong"]'), page.locator('[data-panel]')];
-  await figure.scrollIntoViewIfNeeded();
-  await figure.and(page.locator('[data-ready]')).waitFor({ timeout: 20_000 });
+  await makeReady(figure);
   await expect(panel).toBeHidden();
   // The switches are in one row, and the sliders in another.
   const bottoms = kind => figure.locator(`.controls > .${kind}:visible`).evaluateAll(all => all.map(one => Math.round(one.getBoundingClientRect().bottom)));
@@ -57,8 +56,7 @@ test('the first click on a picture opens the panel beside it, and the address fo
 test('a click on the handle of the disc chooses its pixel, and a drag does not', async ({ page, home }) => {
   await open(page, `${home}step02_sphere.html`);
   const figure = page.locator('figure[data-live="step02_sphere"]');
-  await figure.scrollIntoViewIfNeeded();
-  await figure.and(page.locator('[data-ready]')).waitFor({ timeout: 20_000 });
+  await makeReady(figure);
   const handle = figure.locator('.handle-point');
   await handle.click();
   await expect(figure.locator('.hint b')).toHaveText('sphere, t = 4');
@@ -116,8 +114,7 @@ test('on a phone, the picture stays in view while the panel is read', async ({ p
   await page.setViewportSize({ width: 390, height: 844 });
   await open(page, `${home}step05_phong.html`);
   const [figure, panel] = [page.locator('figure[data-live="step05_phong"]'), page.locator('[data-panel]')];
-  await figure.scrollIntoViewIfNeeded();
-  await figure.and(page.locator('[data-ready]')).waitFor({ timeout: 20_000 });
+  await makeReady(figure);
   const stage = figure.locator('.stage');
   await stage.evaluate(one => one.scrollIntoView({ block: 'center' }));
   const { x, y } = await stage.boundingBox();
