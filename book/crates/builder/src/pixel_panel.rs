@@ -4,7 +4,7 @@
 use crate::fault::{ChapterError, ChapterResult};
 use crate::numbers;
 use crate::values::Values;
-use figures::{find_figure, row_readout, short_name};
+use figures::{find_figure, row_readout_name, short_name};
 use step03_nearest::OBJECTS;
 
 /// The HTML for `{{#pixel-panel step04_diffuse}}`, which begins that picture's box. The chapter
@@ -53,7 +53,7 @@ fn row_markdown(
                 format!("<span data-object=\"{name}\">{name}</span>")
             }
             column => {
-                let name = format!("{picture}:{}", row_readout(column, k));
+                let name = format!("{picture}:{}", row_readout_name(column, k));
                 numbers::live_number_html("span", &name, values)?
             }
         };

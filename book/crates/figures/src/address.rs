@@ -104,7 +104,7 @@ mod tests {
     }
 
     #[test]
-    fn address_with_a_number_outside_its_range_is_an_error_and_a_request_takes_the_nearest() {
+    fn number_out_of_range_is_an_error_in_an_address_and_is_clamped_in_a_request() {
         let figure = find_figure("own_scene").expect("a figure");
         let error = parse_address(figure, "red-sphere-radius:7").expect_err("too large");
         assert!(matches!(error, AddressError::NotAllowed { range: [0.05, 3.0], .. }), "{error}");
@@ -120,7 +120,7 @@ mod tests {
     }
 
     #[test]
-    fn unknown_parameter_is_named() {
+    fn error_names_the_unknown_parameter() {
         let figure = find_figure("row").expect("a figure");
         let expected = AddressError::UnknownParameter("moon".to_owned());
         assert_eq!(parse_address(figure, "moon:1").as_ref(), Err(&expected));

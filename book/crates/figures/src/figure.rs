@@ -20,7 +20,7 @@ pub struct Figure {
     pub handles: Vec<Handle>,
     /// Writes the texts elsewhere on the page that depend on the values.
     pub readouts: fn(&ParameterValues) -> Readouts,
-    /// The number of rows in the table of a pixel's trace, 0 if there is none. [`row_readout`]
+    /// The number of rows in the table of a pixel's trace, 0 if there is none. [`row_readout_name`]
     /// returns the name of a row's readout.
     pub row_count: usize,
     /// Extras for a scene that the reader edits. None for all other figures.
@@ -53,7 +53,7 @@ pub type Readouts = BTreeMap<String, String>;
 
 /// The name of a readout in a row of a table, such as a3 for the column a and the row 3. Rows count
 /// from 0.
-pub fn row_readout(column: &str, row: usize) -> String {
+pub fn row_readout_name(column: &str, row: usize) -> String {
     format!("{column}{row}")
 }
 
@@ -73,14 +73,14 @@ pub struct EditableScene {
     /// Finds the object at a position in the picture.
     pub object_at: fn(&ParameterValues, DVec2) -> Option<&'static str>,
     /// The objects that have a colour, with the parameters for its three channels.
-    pub colours: Vec<(&'static str, [ParameterId; 3])>,
+    pub colour_parameters: Vec<(&'static str, [ParameterId; 3])>,
 }
 
 impl Content {
     /// Leaves out the title and the caption of a drawing in the modules that pages load, because the
     /// builder has printed them. This and [`Figure::new`] are inlined, so the words aren't compiled.
     #[inline(always)]
-    fn without_words_in_modules(self) -> Self {
+    fn without_title_and_caption_in_modules(self) -> Self {
         match self {
             Self::Drawing { draw, .. } if cfg!(target_family = "wasm") => {
                 Self::Drawing { title: "", caption: "", draw }
@@ -96,7 +96,7 @@ impl Figure {
     pub(crate) fn new(name: &'static str, content: Content) -> Self {
         Self {
             name,
-            content: content.without_words_in_modules(),
+            content: content.without_title_and_caption_in_modules(),
             follows: None,
             parameters: vec![],
             handles: vec![],
@@ -160,7 +160,7 @@ mod tests {
     use crate::probe::{I, J};
 
     #[test]
-    fn probe_is_at_a_pixel_of_the_picture() {
+    fn only_a_pixel_of_the_picture_can_be_probed() {
         let values = |name, pixel| find_figure(name).expect("a figure").values_at_pixel(pixel);
         let corner = values("step02_sphere", [639.0, 0.0]).expect("a pixel");
         assert_eq!((corner[I], corner[J]), (639.0, 0.0));

@@ -25,7 +25,7 @@ pub static FIGURES: LazyLock<Vec<Figure>> = LazyLock::new(|| {
         rim::figure(),
         flat_world::figure(),
         step01::figure(),
-        step01::pixel_figure(),
+        step01::figure_with_probe(),
         step02::figure(),
         step03::figure(),
         step04::figure(),
@@ -43,7 +43,7 @@ pub fn find_figure(name: &str) -> Option<&'static Figure> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::row_readout;
+    use crate::row_readout_name;
     use std::collections::HashSet;
 
     #[test]
@@ -82,8 +82,9 @@ mod tests {
         for figure in FIGURES.iter() {
             let readouts = (figure.readouts)(&figure.default_values());
             // `a` is a column of spheres, and `k` one of mirrors.
-            let has_row =
-                |row| ["a", "k"].iter().any(|name| readouts.contains_key(&row_readout(name, row)));
+            let has_row = |row| {
+                ["a", "k"].iter().any(|name| readouts.contains_key(&row_readout_name(name, row)))
+            };
             assert!((0..figure.row_count).all(has_row), "{}", figure.name);
             assert!(!has_row(figure.row_count), "{}", figure.name);
         }

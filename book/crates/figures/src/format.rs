@@ -14,8 +14,8 @@ pub fn format_rounded(number: f64, digits: i32) -> String {
 }
 
 /// The name that the chapters use for an object: for a sphere, its colour.
-pub fn short_name(name: &str) -> &str {
-    name.trim_end_matches(" sphere")
+pub fn short_name(object_name: &str) -> &str {
+    object_name.trim_end_matches(" sphere")
 }
 
 /// Formats three numbers as (x, y, z).
@@ -37,7 +37,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn numbers_have_four_digits_at_most_and_a_minus_sign() {
+    fn numbers_have_at_most_four_decimals_and_a_real_minus_sign() {
         for (number, text) in
             [(1.0, "1"), (0.25, "0.25"), (-2.5, "−2.5"), (-0.00001, "0"), (1.0 / 3.0, "0.3333")]
         {
@@ -56,7 +56,7 @@ mod tests {
     }
 
     #[test]
-    fn sphere_is_called_by_its_colour() {
+    fn short_name_of_a_sphere_is_its_colour() {
         assert_eq!([short_name("red sphere"), short_name("ground")], ["red", "ground"]);
     }
 }

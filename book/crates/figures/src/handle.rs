@@ -170,7 +170,7 @@ mod tests {
     use glam::dvec2;
 
     #[test]
-    fn angle_of_a_handle_wraps_to_the_right() {
+    fn angle_of_a_handle_is_between_minus_90_and_270_degrees() {
         const ANGLE: ParameterId = ParameterId::new("angle");
         let view = View { origin: dvec2(100.0, 50.0), scale: DVec2::ONE };
         let handle = Handle::of_degrees_left_of_up("the arm", ANGLE, view, 40.0);

@@ -34,14 +34,14 @@ impl LabelBox {
     }
 
     /// The smallest shift that moves the box inside a drawing of this size.
-    pub fn shift_into(&self, size: DVec2) -> DVec2 {
-        (-self.min).max(DVec2::ZERO) - (self.max - size).max(DVec2::ZERO)
+    pub fn shift_into(&self, drawing_size: DVec2) -> DVec2 {
+        (-self.min).max(DVec2::ZERO) - (self.max - drawing_size).max(DVec2::ZERO)
     }
 
     /// Whether the two boxes have an area in common, or hardly any room between them.
     pub fn overlaps(&self, other: &Self) -> bool {
-        let room = 2.0;
-        self.min.cmplt(other.max + room).all() && other.min.cmplt(self.max + room).all()
+        let margin = 2.0;
+        self.min.cmplt(other.max + margin).all() && other.min.cmplt(self.max + margin).all()
     }
 }
 
@@ -90,7 +90,7 @@ mod tests {
     }
 
     #[test]
-    fn boxes_need_room_between_them() {
+    fn boxes_closer_than_the_margin_overlap() {
         let box_at = |x| LabelBox { min: DVec2::new(x, 0.0), max: DVec2::new(x + 10.0, 10.0) };
         let overlaps = [5.0, 11.0, 13.0].map(|x| box_at(0.0).overlaps(&box_at(x)));
         assert_eq!(overlaps, [true, true, false]);

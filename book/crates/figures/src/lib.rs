@@ -33,7 +33,7 @@ mod parameter;
 mod parameter_values;
 mod probe;
 use figure::collect_readouts;
-pub use figure::{Content, EditableScene, Figure, Readouts, row_readout};
+pub use figure::{Content, EditableScene, Figure, Readouts, row_readout_name};
 pub use handle::{Handle, Mark};
 pub use parameter::{Axis, Parameter, ParameterKind};
 pub use parameter_values::{ParameterId, ParameterValues, PointId};

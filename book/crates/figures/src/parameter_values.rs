@@ -154,7 +154,7 @@ mod tests {
     }
 
     #[test]
-    fn values_are_finite_unless_one_is_not() {
+    fn values_with_infinity_or_nan_are_not_finite() {
         let side = ParameterId::new("side");
         let mut values: ParameterValues = [(side, 1.0)].into_iter().collect();
         assert!(values.are_finite());

@@ -19,18 +19,19 @@ pub const J: ParameterId = ParameterId::new("j");
 pub fn probed_picture(
     name: &'static str,
     [i, j]: [f64; 2],
-    others: impl IntoIterator<Item = Parameter>,
+    other_parameters: impl IntoIterator<Item = Parameter>,
     draw: fn(&ParameterValues, u32) -> RgbImage,
 ) -> Figure {
     let i = Parameter::number(I, "column", i, [0.0, SIZE.x - 1.0], 1.0);
     let j = Parameter::number(J, "row", j, [0.0, SIZE.y - 1.0], 1.0);
-    let own = [i.with_symbol("i").with_axis(Axis::Right), j.with_symbol("j").with_axis(Axis::Down)];
+    let pixel_parameters =
+        [i.with_symbol("i").with_axis(Axis::Right), j.with_symbol("j").with_axis(Axis::Down)];
     // The handle is at the centre of its pixel.
     let locate = |values: &ParameterValues| Some(dvec2(values[I], values[J]) + 0.5);
     let handle =
         Handle::new("the chosen pixel", [I, J], locate, |_, position| Some(position - 0.5));
     Figure {
-        parameters: own.into_iter().chain(others).collect(),
+        parameters: pixel_parameters.into_iter().chain(other_parameters).collect(),
         handles: vec![Handle { mark: Mark::Probe, ..handle }],
         ..Figure::new(name, Content::Picture { draw })
     }

@@ -101,8 +101,10 @@ fn about_figure(figure: &Figure) -> Reply {
         ("columns", columns),
     ];
     if let Some(scene) = &figure.editable_scene {
-        let colours = scene.colours.iter();
-        let colours = colours.map(|(object, ids)| (*object, json::list(ids.map(quote))));
+        let colours = scene
+            .colour_parameters
+            .iter()
+            .map(|(object, ids)| (*object, json::list(ids.map(quote))));
         fields.push(("colours", json::object(colours)));
     }
     Reply::from_json_fields(fields)

@@ -93,9 +93,9 @@ mod tests {
             let points = (-9..10).flat_map(|i| (-9..10).map(move |j| (f64::from(i), f64::from(j))));
             let points = points.map(|(i, j)| DVec2::new(i, j) / 10.0);
             for point in points.filter(|point| point.length() < 1.0) {
-                let [drawn, right] = [gradient_at(&shading, point), colour_at(&scene, point)];
-                let is_near = |channel: usize| drawn[channel].abs_diff(right[channel]) <= 16;
-                assert!((0..3).all(is_near), "{drawn:?} at {point}, not {right:?}");
+                let [drawn, expected] = [gradient_at(&shading, point), colour_at(&scene, point)];
+                let is_near = |channel: usize| drawn[channel].abs_diff(expected[channel]) <= 16;
+                assert!((0..3).all(is_near), "{drawn:?} at {point}, not {expected:?}");
             }
         }
     }

@@ -9,9 +9,9 @@ pub fn symbol_spans(text: &str) -> String {
     let mut letters = text.chars().map(italic_letter);
     while let Some(letter) = letters.next() {
         if letter == '_' {
-            let low = letters.next().unwrap_or(' ');
+            let subscript = letters.next().unwrap_or(' ');
             spans += &format!(
-                r#"<tspan class="small" dy="4">{low}</tspan><tspan dy="-4">&#8203;</tspan>"#
+                r#"<tspan class="small" dy="4">{subscript}</tspan><tspan dy="-4">&#8203;</tspan>"#
             );
         } else {
             spans += &escape_html(&letter.to_string());
@@ -39,14 +39,14 @@ mod tests {
     use super::*;
 
     #[test]
-    fn letters_are_italic_and_the_rest_is_as_it_was() {
+    fn letters_become_italic_and_other_characters_stay_unchanged() {
         for (letter, italic) in [('h', 'ℎ'), ('θ', '𝜃'), ('D', '𝐷'), ('2', '2')] {
             assert_eq!(italic_letter(letter), italic);
         }
     }
 
     #[test]
-    fn underscore_puts_the_next_letter_below_the_line() {
+    fn underscore_makes_the_next_letter_a_subscript() {
         let spans = symbol_spans("V_0");
         let start = "<tspan class=\"math\">𝑉<tspan class=\"small\" dy=\"4\">0</tspan>";
         assert!(spans.starts_with(start), "{spans}");

@@ -53,7 +53,7 @@ fn json_lines(json: &str) -> String {
 fn replies(figure: &Figure, requests: &[(String, FigureRequest)]) -> String {
     let parts = requests
         .iter()
-        .map(|(words, request)| format!("{words}\n{}\n", reply_lines(figure, request)));
+        .map(|(description, request)| format!("{description}\n{}\n", reply_lines(figure, request)));
     parts.collect::<Vec<_>>().join("\n")
 }
 
@@ -63,10 +63,13 @@ fn show_request(figure: &Figure, values: &ParameterValues) -> (String, FigureReq
         Content::Drawing { .. } => None,
         Content::Picture { .. } => Some(8),
     };
-    let words = format!("show {} {}", figure.name, format_address(figure, values));
-    let words = columns.map_or(words.clone(), |columns| format!("{words} {columns}"));
-    let values = figure.parameters.iter().map(|Parameter { id, .. }| (id.to_string(), values[*id]));
-    (words, FigureRequest::Show { values: values.collect(), columns })
+    let mut description = format!("show {} {}", figure.name, format_address(figure, values));
+    if let Some(columns) = columns {
+        description += &format!(" {columns}");
+    }
+    let numbers =
+        figure.parameters.iter().map(|Parameter { id, .. }| (id.to_string(), values[*id]));
+    (description, FigureRequest::Show { values: numbers.collect(), columns })
 }
 
 /// Allowed values spread over their ranges, different for each seed.
@@ -92,7 +95,7 @@ fn default_and_spread_values(figure: &Figure) -> Vec<ParameterValues> {
 }
 
 #[test]
-fn default_picture_is_that_of_the_program() {
+fn figure_draws_the_same_picture_as_its_program() {
     let steps = Step::NAMES.map(|name| (name, "", name));
     let others = [
         ("mirror", "", "mirror"),
@@ -159,8 +162,8 @@ fn labels_are_inside_their_drawing_and_on_no_other_label() {
                 if label_box.shift_into(size) != DVec2::ZERO {
                     faults.push(format!("{label} is cut off"));
                 }
-                let below = labels[..k].iter().find(|(_, other)| label_box.overlaps(other));
-                faults.extend(below.map(|(other, _)| format!("{label} overlaps {other}")));
+                let overlapped = labels[..k].iter().find(|(_, other)| label_box.overlaps(other));
+                faults.extend(overlapped.map(|(other, _)| format!("{label} overlaps {other}")));
             }
         }
     }

@@ -20,13 +20,13 @@ const CONTENT: Content = Content::Drawing {
 /// Curves of brightness over distance, one of them with an a, b and c that the reader can set.
 pub fn figure() -> Figure {
     let Attenuation { a, b, c } = WARM_LIGHT.attenuation;
-    let words = "of your curve";
+    let label = "of your curve";
     Figure {
         parameters: vec![
             // At the smallest a, the curve begins at the top of the drawing.
-            Parameter::number(A, words, a, [0.5, 2.0], 20.0).with_symbol("a"),
-            Parameter::number(B, words, b, [0.0, 1.0], 100.0).with_symbol("b"),
-            Parameter::number(C, words, c, [0.0, 0.5], 200.0).with_symbol("c"),
+            Parameter::number(A, label, a, [0.5, 2.0], 20.0).with_symbol("a"),
+            Parameter::number(B, label, b, [0.0, 1.0], 100.0).with_symbol("b"),
+            Parameter::number(C, label, c, [0.0, 0.5], 200.0).with_symbol("c"),
         ],
         readouts: |values| {
             let share = 1.0 / attenuation(values).divisor(6.0);

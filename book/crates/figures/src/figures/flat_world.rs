@@ -67,7 +67,7 @@ struct FlatWorld {
 }
 
 /// A point hit by the ray from the eye or by one of its reflections.
-struct LitPoint<'a> {
+struct PathPoint<'a> {
     point: SurfacePoint<'a, usize>,
     /// Whether the light reaches the point.
     is_lit: bool,
@@ -86,14 +86,14 @@ impl FlatWorld {
 
     /// Follows the ray from the eye through at most three hits. Returns the hits, and the last ray
     /// if it hits nothing.
-    fn trace(&self) -> (Vec<LitPoint<'_>>, Option<Ray>) {
+    fn trace(&self) -> (Vec<PathPoint<'_>>, Option<Ray>) {
         let (mut hits, mut ray) = (vec![], self.ray);
         for _ in 0..3 {
             let Some(point) = visible_point(&self.balls, &ray) else { return (hits, Some(ray)) };
             let start = point.p + OFFSET * point.n;
             ray = Ray { start, direction: reflect(point.n, -ray.direction) };
             let is_lit = !hidden(&self.balls, &point, self.q, OFFSET);
-            hits.push(LitPoint { point, is_lit });
+            hits.push(PathPoint { point, is_lit });
         }
         (hits, None)
     }
@@ -101,7 +101,7 @@ impl FlatWorld {
 
 fn draw(values: &ParameterValues) -> Drawing {
     let world = FlatWorld::new(values);
-    let (hits, leaving) = world.trace();
+    let (hits, escaping_ray) = world.trace();
     let position = |point: DVec3| VIEW.to_drawing(point.truncate());
     let mut drawing = Drawing::new(300.0);
     for Object { sphere, material, .. } in &world.balls {
@@ -116,10 +116,10 @@ fn draw(values: &ParameterValues) -> Drawing {
         drawing.label("over", label, &material.to_string());
     }
     // A ray that hits nothing is drawn past the edge of the drawing.
-    let end = leaving.map(|ray| ray.start + 20.0 * ray.direction.normalize());
+    let end = escaping_ray.map(|ray| ray.start + 20.0 * ray.direction.normalize());
     let corners = hits.iter().map(|hit| hit.point.p).chain(end);
     drawing.path("ray", [world.ray.start].into_iter().chain(corners).map(position));
-    for LitPoint { point: SurfacePoint { p, n, .. }, is_lit } in &hits {
+    for PathPoint { point: SurfacePoint { p, n, .. }, is_lit } in &hits {
         let class = if *is_lit { "light" } else { "guide" };
         drawing.line(class, position(*p), position(world.q));
         drawing.arrow("second", position(*p), position(p + 0.7 * n));
@@ -131,7 +131,7 @@ fn draw(values: &ParameterValues) -> Drawing {
     drawing.circle("light head", position(q), 7.0);
     let above = |point: DVec3| point + 0.6 * DVec3::Y;
     let mut names = vec![(above(s), "$S$"), (above(v), "$V$"), (above(q), "$q$")];
-    if let Some(LitPoint { point: SurfacePoint { p, n, .. }, .. }) = hits.first() {
+    if let Some(PathPoint { point: SurfacePoint { p, n, .. }, .. }) = hits.first() {
         names.extend([(p - 0.4 * n, "$p$"), (p + 0.95 * n, "$n$")]);
     }
     for (point, name) in names {
@@ -143,11 +143,11 @@ fn draw(values: &ParameterValues) -> Drawing {
 /// Describes in one phrase what the ray hits.
 fn readouts(values: &ParameterValues) -> Readouts {
     let world = FlatWorld::new(values);
-    let (hits, leaving) = world.trace();
-    let words = hits.iter().map(|LitPoint { point, is_lit }| {
-        let position = if *is_lit { "in the light" } else { "in shadow" };
-        format!("ball {} at t = {}, {position}", point.material(), format_rounded(point.hit.t, 2))
+    let (hits, escaping_ray) = world.trace();
+    let hit_phrases = hits.iter().map(|PathPoint { point, is_lit }| {
+        let lighting = if *is_lit { "in the light" } else { "in shadow" };
+        format!("ball {} at t = {}, {lighting}", point.material(), format_rounded(point.hit.t, 2))
     });
-    let words = words.chain(leaving.map(|_| "nothing".into()));
-    collect_readouts([("path", words.collect::<Vec<_>>().join("; then "))])
+    let phrases: Vec<_> = hit_phrases.chain(escaping_ray.map(|_| "nothing".into())).collect();
+    collect_readouts([("path", phrases.join("; then "))])
 }

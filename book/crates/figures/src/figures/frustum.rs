@@ -26,10 +26,11 @@ const CONTENT: Content = Content::Drawing {
 
 /// OpenGL's frustum from the side, with rays that reach even what it cuts away.
 pub fn figure() -> Figure {
-    let handle = |words, depth: ParameterId| {
-        let locate =
-            move |values: &ParameterValues| side_view_position(sides()[1].at(values[depth]));
-        Handle::of_parameter(words, depth, locate, |_, position| VIEW.to_world(position).x)
+    let handle = |label, depth: ParameterId| {
+        let locate = move |values: &ParameterValues| {
+            side_view_position(top_and_bottom_rays()[1].at(values[depth]))
+        };
+        Handle::of_parameter(label, depth, locate, |_, position| VIEW.to_world(position).x)
     };
     Figure {
         parameters: vec![
@@ -47,7 +48,7 @@ fn side_view_position(point: DVec3) -> DVec2 {
 }
 
 /// The rays along the top and the bottom of the view.
-fn sides() -> [Ray; 2] {
+fn top_and_bottom_rays() -> [Ray; 2] {
     let camera = Camera::new(2, 2, 40_f64.to_radians());
     [0.0, 1.0].map(|j| camera.ray(0.5, j))
 }
@@ -82,11 +83,11 @@ impl Rest {
 }
 
 fn draw(values: &ParameterValues) -> Drawing {
-    let (planes, sides) = ([values[NEAR], values[FAR]], sides());
+    let (planes, edge_rays) = ([values[NEAR], values[FAR]], top_and_bottom_rays());
     let mut drawing = Drawing::new(334.0);
-    let [near, far] = planes.map(|t| sides.map(|ray| side_view_position(ray.at(t))));
+    let [near, far] = planes.map(|t| edge_rays.map(|ray| side_view_position(ray.at(t))));
     drawing.area("plane", [near[0], far[0], far[1], near[1]]);
-    for ray in sides {
+    for ray in edge_rays {
         drawing.line("guide", side_view_position(ray.start), side_view_position(ray.at(5.4)));
     }
     for ([upper, lower], class, name) in

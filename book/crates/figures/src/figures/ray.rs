@@ -28,29 +28,29 @@ const CONTENT: Content = Content::Drawing {
 pub fn figure() -> Figure {
     let start = Parameter::point(START, [0.0, 0.0], [[-2.0, 7.0], [-0.5, 2.5]], 10.0);
     let v = Parameter::point(V, [2.4, 0.7], [[-4.0, 7.0], [-4.0, 4.0]], 10.0);
-    let distance_words = "the point's distance from S";
-    let distance = Parameter::number(DISTANCE, distance_words, 5.0, [-2.0, 8.0], 10.0);
+    let distance_label = "the point's distance from S";
+    let distance = Parameter::number(DISTANCE, distance_label, 5.0, [-2.0, 8.0], 10.0);
     let v_at = |values: &ParameterValues, position| {
         Some(VIEW.to_world(position - BESIDE) - values.point(START))
     };
-    let point = |values: &ParameterValues| position(values, ray_and_t(values).1);
+    let point = |values: &ParameterValues| position_on_ray(values, ray_and_t(values).1);
     let distance_at = |values: &ParameterValues, position| {
         let (ray, _) = ray_and_t(values);
-        let way = VIEW.to_world(position).extend(0.0) - ray.start;
-        way.dot(ray.direction.normalize())
+        let from_start = VIEW.to_world(position).extend(0.0) - ray.start;
+        from_start.dot(ray.direction.normalize())
     };
     Figure {
         parameters: start.into_iter().chain(v).chain([distance]).collect(),
         handles: vec![
             Handle::of_point_in_drawing(START, VIEW),
-            Handle::new(V.0, [V.x(), V.y()], |values| Some(tip(values)), v_at),
-            Handle::of_parameter(distance_words, DISTANCE, point, distance_at),
+            Handle::new(V.0, [V.x(), V.y()], |values| Some(v_tip_position(values)), v_at),
+            Handle::of_parameter(distance_label, DISTANCE, point, distance_at),
         ],
         has_something_to_show: |values| {
             let is_long = ray_and_t(values).0.direction.length() >= 1.0;
             is_long
-                && is_well_inside_drawing(position(values, 0.0))
-                && is_well_inside_drawing(tip(values))
+                && is_well_inside_drawing(position_on_ray(values, 0.0))
+                && is_well_inside_drawing(v_tip_position(values))
         },
         readouts,
         ..Figure::new("ray", CONTENT)
@@ -64,13 +64,13 @@ fn ray_and_t(values: &ParameterValues) -> (Ray, f64) {
 }
 
 /// The position in the drawing of r(t).
-fn position(values: &ParameterValues, t: f64) -> DVec2 {
+fn position_on_ray(values: &ParameterValues, t: f64) -> DVec2 {
     VIEW.to_drawing(ray_and_t(values).0.at(t).truncate())
 }
 
 /// The position in the drawing of V's tip.
-fn tip(values: &ParameterValues) -> DVec2 {
-    position(values, 1.0) + BESIDE
+fn v_tip_position(values: &ParameterValues) -> DVec2 {
+    position_on_ray(values, 1.0) + BESIDE
 }
 
 fn is_well_inside_drawing(position: DVec2) -> bool {
@@ -78,14 +78,14 @@ fn is_well_inside_drawing(position: DVec2) -> bool {
 }
 
 fn draw(values: &ParameterValues) -> Drawing {
-    let position = |t: f64| position(values, t);
+    let position = |t: f64| position_on_ray(values, t);
     let (s, v) = (position(0.0), position(1.0) - position(0.0));
     let mut drawing = Drawing::new(SIZE.y);
     let steps = (0..).map(|k| 0.1 * f64::from(k));
     let end = steps.take_while(|t| is_well_inside_drawing(position(*t))).last().unwrap_or(0.0);
     drawing.line("guide", s - 90.0 * v.normalize(), s);
     drawing.arrow("ray", s, position(end));
-    drawing.arrow("vector", s + BESIDE, tip(values));
+    drawing.arrow("vector", s + BESIDE, v_tip_position(values));
     drawing.label("strong over", position(0.5) + BESIDE + dvec2(-6.0, -10.0), "$V$");
     drawing.label("strong over", s + dvec2(-18.0, -12.0), "$S$");
     // The labels are below a ray that rises to the right, and above one that falls.

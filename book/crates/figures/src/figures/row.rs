@@ -75,8 +75,8 @@ fn draw(values: &ParameterValues) -> Drawing {
         drawing.dot("ray", tips[i]);
         if [0, last].contains(&i) {
             // In a narrow view, the two labels would overlap, so they are moved apart.
-            let apart = if i == 0 { end.x.min(c.x - 26.0) } else { end.x.max(c.x + 26.0) };
-            drawing.label("quiet", dvec2(apart, end.y - 8.0), &format!("$i$ = {i}"));
+            let x = if i == 0 { end.x.min(c.x - 26.0) } else { end.x.max(c.x + 26.0) };
+            drawing.label("quiet", dvec2(x, end.y - 8.0), &format!("$i$ = {i}"));
         }
     }
     drawing.arc("axis", c, 54.0, [PI - v_0.to_angle(), v_0.to_angle()]);

@@ -92,7 +92,7 @@ fn draw_case(drawing: &mut Drawing, ray: &Ray, circle_view: View) {
     let format = |number: f64| format_rounded(number, 2);
     let discriminant = format!("$D$ = {}", format(discriminant(&SPHERE, ray)));
     drawing.label("strong", dvec2(x, 20.0), &discriminant);
-    let words = roots.into_iter().map(format).collect::<Vec<_>>().join(" or ");
-    let words = if words.is_empty() { "no root".into() } else { format!("$t$ = {words}") };
-    drawing.label("quiet", dvec2(x, 40.0), &words);
+    let values = roots.into_iter().map(format).collect::<Vec<_>>().join(" or ");
+    let label = if values.is_empty() { "no root".into() } else { format!("$t$ = {values}") };
+    drawing.label("quiet", dvec2(x, 40.0), &label);
 }

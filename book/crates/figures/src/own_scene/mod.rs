@@ -28,7 +28,7 @@ pub fn figure() -> Figure {
                 let ray = own.camera(COLUMNS).ray(pixel.x, pixel.y);
                 nearest(&own.scene.objects, &ray).map(|hit| hit.object.name)
             },
-            colours: colours(),
+            colour_parameters: colour_parameters(),
         }),
         has_something_to_show: |values| {
             let own = own_scene(values);
@@ -62,10 +62,10 @@ fn handle(owner: Owner, k: usize, presence: ParameterId) -> Option<Handle> {
 }
 
 /// The objects that have a colour, with the parameters for its channels.
-fn colours() -> Vec<(&'static str, [ParameterId; 3])> {
+fn colour_parameters() -> Vec<(&'static str, [ParameterId; 3])> {
     let objects = PARAMETERS.iter().filter_map(|(_, parameter)| parameter.id.object());
     let mut objects: Vec<_> = objects.collect();
     objects.dedup();
-    let colour = |object| Some((object, component_ids(object, Component::OF_COLOUR)?));
-    objects.into_iter().filter_map(colour).collect()
+    let with_ids = |object| Some((object, component_ids(object, Component::OF_COLOUR)?));
+    objects.into_iter().filter_map(with_ids).collect()
 }

@@ -1,11 +1,11 @@
 //! The picture of the example `mirror`, and the path of a pixel's ray from mirror to mirror.
 
 use super::pixel_trace::describe_hit;
-use super::step05::object_parameter;
+use super::step05::probed_object_parameter;
 use crate::probe::{I, J, draw_picture, probe_ray, probed_picture};
 use crate::{
     Figure, Parameter, ParameterId, ParameterValues, Readouts, collect_readouts, format_number,
-    format_vector, row_readout, short_name,
+    format_vector, row_readout_name, short_name,
 };
 use course::examples::mirror::{Mirror, colour, mirrors};
 use glam::DVec3;
@@ -14,8 +14,8 @@ use step05_phong::{Light, Ray, Scene, reflect, rgb8, visible_point};
 const DEPTH: ParameterId = ParameterId::new("depth");
 const OFFSET: ParameterId = ParameterId::new("offset");
 
-/// The parameter for an object's k.
-fn k_parameter(object: &'static str) -> ParameterId {
+/// The id of the parameter for an object's k.
+fn k_id(object: &'static str) -> ParameterId {
     ParameterId::of(object, "k")
 }
 
@@ -31,12 +31,12 @@ const MAX_DEPTH: u32 = 10;
 /// The picture of the example `mirror`, with a probe. The depth and the offset can be set, and so
 /// can the k of the object at the probe.
 pub fn figure() -> Figure {
-    let depth = f64::from(MAX_DEPTH);
-    let depth = Parameter::number(DEPTH, "depth", depth, [0.0, depth], 1.0);
+    let max_depth = f64::from(MAX_DEPTH);
+    let depth = Parameter::number(DEPTH, "depth", max_depth, [0.0, max_depth], 1.0);
     let offset = Parameter::choice(OFFSET, "offset", 8.0, OFFSETS);
     let ks = mirrors().objects.into_iter().map(|object| {
         let default = object.material.k;
-        object_parameter(k_parameter(object.name), object.name, default, [0.0, 1.0], 20.0)
+        probed_object_parameter(k_id(object.name), object.name, default, [0.0, 1.0], 20.0)
             .with_symbol("k")
     });
     let parameters = [depth, offset].into_iter().chain(ks);
@@ -60,7 +60,7 @@ impl Mirrors {
     fn new(values: &ParameterValues) -> Self {
         let mut scene = mirrors();
         for object in &mut scene.objects {
-            object.material.k = values[k_parameter(object.name)];
+            object.material.k = values[k_id(object.name)];
         }
         let offset = values.choice(OFFSET, OFFSETS).parse().unwrap_or_default();
         Self { depth: values[DEPTH] as u32, offset, scene }
@@ -102,7 +102,7 @@ fn readouts(values: &ParameterValues) -> Readouts {
     for k in 0..=MAX_DEPTH {
         let hit = ray.map(|ray| mirrors.trace_hit(&ray, mirrors.depth - k));
         let (row, mirrored) = hit.unwrap_or_default();
-        let names = ["object", "t", "k", "I"].map(|column| row_readout(column, k as usize));
+        let names = ["object", "t", "k", "I"].map(|column| row_readout_name(column, k as usize));
         readouts.extend(names.into_iter().zip(row));
         ray = mirrored;
     }

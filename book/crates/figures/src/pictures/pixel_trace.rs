@@ -2,7 +2,7 @@
 
 use crate::probe::{I, J, probe_ray};
 use crate::{
-    ParameterValues, Readouts, collect_readouts, format_number, format_vector, row_readout,
+    ParameterValues, Readouts, collect_readouts, format_number, format_vector, row_readout_name,
     short_name,
 };
 use course::{LIGHT_NAMES, discriminant};
@@ -51,7 +51,7 @@ pub fn trace_pixel<M>(
             ("near", format_root(roots.into_iter().next())),
             ("far", format_root(roots.into_iter().last())),
         ];
-        readouts.extend(row.map(|(column, text)| (row_readout(column, k), text)));
+        readouts.extend(row.map(|(column, text)| (row_readout_name(column, k), text)));
     }
     // A ray has either a nearest hit or a sky colour. The readouts for the other are empty.
     let [object, t, p, sky] = match nearest(objects, &ray) {

@@ -39,7 +39,7 @@ pub fn figure() -> Figure {
 }
 
 /// The picture of step 1 with a probe. No ray meets anything there, so its trace is short.
-pub fn pixel_figure() -> Figure {
+pub fn figure_with_probe() -> Figure {
     Figure {
         readouts: |values| {
             let ray = probe_ray(values);

@@ -37,16 +37,16 @@ pub fn figure() -> Figure {
 
 /// The parameters for a light's coordinates.
 fn position_parameters(light: PointId, position: DVec3, ranges: [[f64; 2]; 3]) -> [Parameter; 3] {
-    let words = format!("of {}", light.0);
+    let label = format!("of {}", light.0);
     let [x, y, z] = ranges;
     [
-        Parameter::number(light.x(), &*words, position.x, x, 10.0)
+        Parameter::number(light.x(), &*label, position.x, x, 10.0)
             .with_symbol("x")
             .with_axis(Axis::Right),
-        Parameter::number(light.y(), &*words, position.y, y, 10.0)
+        Parameter::number(light.y(), &*label, position.y, y, 10.0)
             .with_symbol("y")
             .with_axis(Axis::Up),
-        Parameter::number(light.z(), &*words, position.z, z, 10.0).with_symbol("z"),
+        Parameter::number(light.z(), &*label, position.z, z, 10.0).with_symbol("z"),
     ]
 }
 

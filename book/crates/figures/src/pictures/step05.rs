@@ -4,18 +4,17 @@ use super::pixel_trace::{trace_pixel, trace_shading};
 use crate::probe::{draw_picture, probe_ray, probed_picture};
 use crate::{Figure, Parameter, ParameterId, ParameterValues, Readouts};
 use glam::DVec3;
-use std::iter::zip;
-use step05_phong::{Light, Material, OBJECTS, Scene, colour, nearest};
+use step05_phong::{Light, Material, OBJECTS, Object, Scene, colour, nearest};
 
 const AMBIENT: ParameterId = ParameterId::new("ambient");
 const DIFFUSE: ParameterId = ParameterId::new("diffuse");
 const SPECULAR: ParameterId = ParameterId::new("specular");
 
-fn shininess(object: &'static str) -> ParameterId {
+fn shininess_id(object: &'static str) -> ParameterId {
     ParameterId::of(object, "shininess")
 }
 
-fn reflectance(object: &'static str) -> ParameterId {
+fn reflectance_id(object: &'static str) -> ParameterId {
     ParameterId::of(object, "specular reflectance")
 }
 
@@ -25,15 +24,14 @@ pub fn figure() -> Figure {
     let switches = [(AMBIENT, "ambient"), (DIFFUSE, "diffuse"), (SPECULAR, "specular")]
         .map(|(id, term)| Parameter::switch(id, term, true));
     let objects = step05_phong::scene().objects;
-    let materials = || objects.iter().map(|object| object.material);
-    let shininesses = materials().map(|material| f64::from(material.shininess));
-    let reflectances = materials().map(|material| material.specular.x);
-    let shininesses = zip(OBJECTS, shininesses).map(|(object, default)| {
-        object_parameter(shininess(object.name), object.name, default, [1.0, 300.0], 1.0)
+    let shininesses = objects.iter().map(|Object { name, material, .. }| {
+        let default = f64::from(material.shininess);
+        probed_object_parameter(shininess_id(name), name, default, [1.0, 300.0], 1.0)
             .with_symbol("n")
     });
-    let reflectances = zip(OBJECTS, reflectances).map(|(object, default)| {
-        object_parameter(reflectance(object.name), object.name, default, [0.0, 1.0], 20.0)
+    let reflectances = objects.iter().map(|Object { name, material, .. }| {
+        let default = material.specular.x;
+        probed_object_parameter(reflectance_id(name), name, default, [0.0, 1.0], 20.0)
             .with_symbol("Rₛ")
     });
     let parameters = switches.into_iter().chain(shininesses).chain(reflectances);
@@ -56,8 +54,8 @@ fn changed_scene(values: &ParameterValues) -> Scene<Material, Light> {
         light.specular *= values[SPECULAR];
     }
     for object in &mut scene.objects {
-        object.material.shininess = values[shininess(object.name)] as i32;
-        object.material.specular = DVec3::splat(values[reflectance(object.name)]);
+        object.material.shininess = values[shininess_id(object.name)] as i32;
+        object.material.specular = DVec3::splat(values[reflectance_id(object.name)]);
     }
     scene
 }
@@ -70,7 +68,7 @@ fn readouts(values: &ParameterValues) -> Readouts {
 }
 
 /// A parameter of an object. It has a control only while the probe is on the object.
-pub fn object_parameter(
+pub fn probed_object_parameter(
     id: ParameterId,
     object: &str,
     default: f64,
