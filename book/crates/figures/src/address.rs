@@ -1,5 +1,6 @@
-//! The values of parameters as pages have them: in the address of a scene, as one word such as
-//! `red-sphere-radius:2,camera-roll:45`, and in requests, as numbers by name.
+//! Parameter values in the two forms that pages use: the address of a scene, such as
+//! `red-sphere-radius:2,camera-roll:45`, and the numbers in a request, each with its parameter's
+//! name.
 
 use crate::{Figure, Parameter, ParameterValues};
 use thiserror::Error;
@@ -37,7 +38,7 @@ impl AddressError {
     }
 }
 
-/// Formats the values that differ from the defaults.
+/// Formats an address, which lists the values that differ from the defaults.
 pub fn format_address(figure: &Figure, values: &ParameterValues) -> String {
     let different = figure.parameters.iter().filter_map(|parameter| {
         let value = values[parameter.id];
@@ -54,15 +55,18 @@ pub fn parse_address(figure: &Figure, address: &str) -> Result<ParameterValues, 
         let (name, value) = part.split_once(':').unwrap_or((part, ""));
         let parameter = find_parameter(figure, name)?;
         let [min, max] = parameter.range;
-        let number = value.parse().ok().filter(|number| (min..=max).contains(number));
-        let number = number.ok_or_else(|| AddressError::not_allowed(parameter, value))?;
+        let number = value
+            .parse()
+            .ok()
+            .filter(|number| (min..=max).contains(number))
+            .ok_or_else(|| AddressError::not_allowed(parameter, value))?;
         values.set(parameter.id, number);
     }
     figure.nearest_allowed_values(&values).ok_or(AddressError::NothingToShow)
 }
 
-/// The values in a request, where a number outside its range becomes the nearest one within it. A
-/// parameter that isn't mentioned has its default.
+/// Converts the numbers in a request to allowed values. A number outside its parameter's range
+/// becomes the nearest one within it, and a parameter that isn't mentioned has its default.
 pub fn allowed_values(
     figure: &Figure,
     numbers: &[(String, f64)],
@@ -78,7 +82,7 @@ pub fn allowed_values(
     figure.nearest_allowed_values(&values).ok_or(AddressError::NothingToShow)
 }
 
-/// The parameter with the name that pages use.
+/// Finds the parameter whose id is displayed as `name`.
 fn find_parameter<'a>(figure: &'a Figure, name: &str) -> Result<&'a Parameter, AddressError> {
     let parameter = figure.parameters.iter().find(|parameter| parameter.id.is_displayed_as(name));
     parameter.ok_or_else(|| AddressError::UnknownParameter(name.to_owned()))

@@ -18,7 +18,7 @@ pub const WIDTH: f64 = 480.0;
 #[derive(Clone, Debug)]
 pub struct Drawing {
     height: f64,
-    /// The gradients of the balls, by their ids.
+    /// The gradients that fill the balls, keyed by id.
     gradients: BTreeMap<&'static str, String>,
     shapes: String,
     labels: Vec<Label>,
@@ -111,21 +111,24 @@ impl Drawing {
         self.labels.push(Label { class: class.into(), position, text: text.into() });
     }
 
-    /// The position nearest to `position` where a label lies inside the drawing and overlaps no
-    /// other label. If there is no such position nearby, the label is only moved inside the
+    /// Finds the position nearest to `position` at which a label is inside the drawing and overlaps
+    /// no other label. If there is no such position nearby, the label is only moved inside the
     /// drawing.
     fn nearest_free(&self, class: &str, position: DVec2, text: &str) -> DVec2 {
         let box_at = |position| LabelBox::new(class, position, text);
         let inside = position + box_at(position).shift_into(dvec2(WIDTH, self.height));
         let others: Vec<LabelBox> = self.label_boxes().map(|(_, label_box)| label_box).collect();
-        let distances = (0..=15).map(|k| 4.0 * f64::from(k));
-        let positions = distances.flat_map(|distance| DIRECTIONS.map(|d| inside + distance * d));
-        let mut positions = positions.filter(|&position| {
-            let label_box = box_at(position);
+        let is_free = |position: &DVec2| {
+            let label_box = box_at(*position);
             let is_inside = label_box.shift_into(dvec2(WIDTH, self.height)) == DVec2::ZERO;
             is_inside && !others.iter().any(|other| label_box.overlaps(other))
-        });
-        positions.next().unwrap_or(inside)
+        };
+        let mut distances = (0..=15).map(|k| 4.0 * f64::from(k));
+        distances
+            .find_map(|distance| {
+                DIRECTIONS.map(|d| inside + distance * d).into_iter().find(is_free)
+            })
+            .unwrap_or(inside)
     }
 
     /// The labels' texts, and the boxes that they fill.

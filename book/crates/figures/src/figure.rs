@@ -77,8 +77,9 @@ pub struct EditableScene {
 }
 
 impl Content {
-    /// Leaves out the title and the caption of a drawing in the modules that pages load, because the
-    /// builder has printed them. This and [`Figure::new`] are inlined, so the words aren't compiled.
+    /// Drops a drawing's title and caption in the modules, because the builder has already printed
+    /// both. This function and [`Figure::new`] are inlined, so that the compiler leaves these strings
+    /// out of the module.
     #[inline(always)]
     fn without_title_and_caption_in_modules(self) -> Self {
         match self {
@@ -117,8 +118,8 @@ impl Figure {
         self.handles.iter().find(|handle| handle.mark == Mark::Probe)
     }
 
-    /// The default values, but with the probe at the pixel (i, j). Returns None if there is no
-    /// probe, or no such pixel.
+    /// Returns the default values, but with the probe at the pixel (i, j). Returns None if there is
+    /// no probe, or no such pixel.
     pub fn values_at_pixel(&self, [i, j]: [f64; 2]) -> Option<ParameterValues> {
         let probe = self.probe()?;
         let mut values = self.default_values();
@@ -128,8 +129,8 @@ impl Figure {
         (allowed == values).then_some(values)
     }
 
-    /// The values after a handle is dragged to a position. Returns None if there is nothing to show
-    /// at them.
+    /// Returns the values after a handle is dragged to a position, or None if the figure has nothing
+    /// to show at these values.
     pub fn drag_handle(
         &self,
         values: &ParameterValues,
@@ -143,13 +144,14 @@ impl Figure {
         self.nearest_allowed_values(&new)
     }
 
-    /// The nearest allowed values. Returns None if there is nothing to show at them.
+    /// Replaces each value with the nearest one that its parameter allows. Returns None if a value
+    /// isn't finite, or if the figure has nothing to show at the new values.
     pub fn nearest_allowed_values(&self, values: &ParameterValues) -> Option<ParameterValues> {
         let allowed = self
             .parameters
             .iter()
-            .map(|parameter| (parameter.id, parameter.nearest_allowed(values[parameter.id])));
-        let allowed = allowed.collect();
+            .map(|parameter| (parameter.id, parameter.nearest_allowed(values[parameter.id])))
+            .collect();
         (values.are_finite() && (self.has_something_to_show)(&allowed)).then_some(allowed)
     }
 }

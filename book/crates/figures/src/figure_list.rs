@@ -81,7 +81,7 @@ mod tests {
     fn row_count_of_each_figure_is_that_of_its_readouts() {
         for figure in FIGURES.iter() {
             let readouts = (figure.readouts)(&figure.default_values());
-            // `a` is a column of spheres, and `k` one of mirrors.
+            // The tables of spheres have a column `a`, and the table of mirrors has a column `k`.
             let has_row = |row| {
                 ["a", "k"].iter().any(|name| readouts.contains_key(&row_readout_name(name, row)))
             };

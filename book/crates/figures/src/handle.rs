@@ -18,15 +18,16 @@ pub struct Handle {
     pub horizontal: ParameterId,
     /// The parameter that the up and down arrow keys change. It may be the same as `horizontal`.
     pub vertical: ParameterId,
-    /// The parameter for the distance towards the reader, if the handle can be moved that way on
-    /// the page.
+    /// The parameter for the coordinate that points towards the reader, if the page lets the reader
+    /// change it.
     pub depth: Option<ParameterId>,
     /// The switch that adds the handle's object to the scene, if there is one.
     pub presence: Option<ParameterId>,
     /// The handle's position at these values, or None if there is nothing to drag.
     pub locate: Box<Locate>,
-    /// The values of `horizontal` and `vertical` that move the handle to a position, or near it. If
-    /// both are the same parameter, the two values are equal. None if there is nothing to drag.
+    /// The values of `horizontal` and `vertical` that move the handle to a position, or near it. The
+    /// two are equal if `horizontal` and `vertical` are the same parameter. None if there is nothing
+    /// to drag.
     pub coordinates_at: Box<CoordinatesAt>,
 }
 
@@ -127,9 +128,9 @@ impl Handle {
     }
 
     /// A handle in a picture that sets the x and y of a point in the world, and keeps the point's
-    /// z. The handle can't be dragged closer than `margin` to the border, and stays where it is if
-    /// no point with this z is ahead of the camera. If `camera_and_point` returns None, there is
-    /// nothing to drag.
+    /// z. The handle can't be dragged closer than `margin` to the border. It stays where it is if
+    /// the ray through the new position has no point with this z. If `camera_and_point` returns
+    /// None, there is nothing to drag.
     pub fn of_world_point_in_picture(
         label: &'static str,
         coordinates: [ParameterId; 2],

@@ -1,4 +1,4 @@
-//! The room that a label needs in a drawing.
+//! The space that a label takes up in a drawing.
 
 use glam::DVec2;
 
@@ -13,7 +13,7 @@ pub struct LabelBox {
 }
 
 impl LabelBox {
-    /// The box of a text of this class whose baseline is at `position`.
+    /// The box around a text of this class, with its baseline at `position`.
     pub fn new(class: &str, position: DVec2, text: &str) -> Self {
         let has = |name: &str| class.split(' ').any(|word| word == name);
         // These are the sizes in the theme's css/drawing.css. Small text has the size that it gets
@@ -38,14 +38,14 @@ impl LabelBox {
         (-self.min).max(DVec2::ZERO) - (self.max - drawing_size).max(DVec2::ZERO)
     }
 
-    /// Whether the two boxes have an area in common, or hardly any room between them.
+    /// Whether the two boxes intersect, or the gap between them is smaller than a margin.
     pub fn overlaps(&self, other: &Self) -> bool {
         let margin = 2.0;
         self.min.cmplt(other.max + margin).all() && other.min.cmplt(self.max + margin).all()
     }
 }
 
-/// The width of a text in units of the font's size. Symbols are between dollar signs.
+/// The width of a text in multiples of the font size. Symbols are between dollar signs.
 fn width_in_em(text: &str) -> f64 {
     let mut is_symbol = false;
     let mut previous = ' ';
@@ -65,7 +65,7 @@ fn width_in_em(text: &str) -> f64 {
     width
 }
 
-/// The width of a letter in units of the font's size.
+/// The width of a letter in multiples of the font size.
 fn letter_width(letter: char) -> f64 {
     match letter {
         'i' | 'j' | 'l' | '.' | ',' | ':' | ';' | '·' | ' ' | '\'' => 0.26,

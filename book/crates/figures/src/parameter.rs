@@ -5,8 +5,8 @@ use crate::{ParameterId, ParameterValues, PointId};
 
 /// A number that the reader can set, with a control below a figure or with a handle in it.
 ///
-/// Everything that a page knows about it comes from here: the builder prints its control, and the
-/// reply to `about` has the rest.
+/// A page gets everything about it from this struct: the builder prints the control, and the reply
+/// to `about` has the rest.
 #[derive(Clone, Debug)]
 pub struct Parameter {
     /// The name under which its value is stored.

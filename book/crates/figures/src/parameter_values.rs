@@ -25,11 +25,12 @@ impl ParameterId {
         Self { object: Some(object), name }
     }
 
-    /// Whether this is how the id is displayed.
+    /// Whether the id is displayed as `word`.
     pub fn is_displayed_as(self, word: &str) -> bool {
         let object = self.object.into_iter().flat_map(|object| object.bytes().chain([b'-']));
+        // A request may name 180 parameters, and each name is compared with the ids one by one.
+        // Most ids have another length, which is quick to compare.
         let length = self.object.map_or(0, |object| object.len() + 1) + self.name.len();
-        // A request may name 180 parameters. Most of the others differ in their length.
         let is_equal = |(a, b)| a == if b == b' ' { b'-' } else { b };
         word.len() == length && word.bytes().zip(object.chain(self.name.bytes())).all(is_equal)
     }
@@ -119,7 +120,7 @@ impl Index<ParameterId> for ParameterValues {
 
 impl FromIterator<(ParameterId, f64)> for ParameterValues {
     fn from_iter<T: IntoIterator<Item = (ParameterId, f64)>>(pairs: T) -> Self {
-        // `collect` would sort the pairs first, for which a module would need 6 kB of code.
+        // `collect` would sort the pairs first, and the code for that would add 6 kB to a module.
         let mut values = BTreeMap::new();
         values.extend(pairs);
         Self(values)

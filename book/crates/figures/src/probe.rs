@@ -42,7 +42,7 @@ pub fn probe_ray(values: &ParameterValues) -> Ray {
     course::camera().ray(values[I], values[J])
 }
 
-/// Draws a picture with the course's camera, where `colour` is the colour that a ray sees.
+/// Draws a picture with the course's camera. `colour` returns the colour that a ray sees.
 pub fn draw_picture(columns: u32, colour: impl Fn(&Ray) -> DVec3 + Sync) -> RgbImage {
     render(&course::camera_with_fov(FOV_DEGREES, columns), 1, colour)
 }

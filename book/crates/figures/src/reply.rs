@@ -59,8 +59,7 @@ pub fn reply(name: &str, request: &FigureRequest) -> Result<Reply, FigureRequest
             reply_at(figure, &new, (handle.mark != Mark::Probe).then_some(columns))
         }
         FigureRequest::Pick { values, position } => {
-            let scene = figure.editable_scene.as_ref();
-            let scene = scene.ok_or(FigureRequestError::NoObjects)?;
+            let scene = figure.editable_scene.as_ref().ok_or(FigureRequestError::NoObjects)?;
             let values = allowed_values(figure, values)?;
             let object = (scene.object_at)(&values, DVec2::from(*position));
             Reply::from_json_fields([("object", quote_or_null(object))])
@@ -72,14 +71,14 @@ pub fn reply(name: &str, request: &FigureRequest) -> Result<Reply, FigureRequest
     Ok(reply)
 }
 
-/// The number of columns that a request asks for, if it is allowed.
+/// Returns the number of columns that a request asks for, or an error if it isn't allowed.
 fn allowed_columns(columns: Option<u32>) -> Result<u32, FigureRequestError> {
     let columns = columns.unwrap_or(COLUMNS);
     let is_allowed = ALLOWED_COLUMNS.contains(&columns);
     is_allowed.then_some(columns).ok_or(FigureRequestError::Columns(columns))
 }
 
-/// What a page has to know about a figure before it shows anything.
+/// Replies with what a page has to know about the figure before it can show anything.
 fn about_figure(figure: &Figure) -> Reply {
     let handles = figure.handles.iter().map(|handle| {
         json::object([
@@ -122,31 +121,30 @@ fn about_parameter(parameter: &Parameter) -> String {
     ])
 }
 
-/// Everything that the page shows at these values. A picture has at most this many columns; if
-/// `columns` is None, nothing is drawn.
+/// Replies with everything that the page shows at these values. A picture has at most `columns`
+/// columns. If `columns` is None, nothing is drawn.
 fn reply_at(figure: &Figure, values: &ParameterValues, columns: Option<u32>) -> Reply {
     let by_id = |field: &dyn Fn(&Parameter, f64) -> String| {
-        let fields = figure
+        let fields: Vec<_> = figure
             .parameters
             .iter()
-            .map(|parameter| (parameter.id.to_string(), field(parameter, values[parameter.id])));
-        let fields: Vec<_> = fields.collect();
+            .map(|parameter| (parameter.id.to_string(), field(parameter, values[parameter.id])))
+            .collect();
         json::object(fields.iter().map(|(id, field)| (&**id, field.clone())))
     };
     let positions = figure.handles.iter().map(|handle| {
         let rounded = |x: f64| (100.0 * x).round() / 100.0;
-        let position = (handle.locate)(values);
-        position
+        (handle.locate)(values)
             .map_or("null".into(), |position: DVec2| json::list(position.to_array().map(rounded)))
     });
     let readouts = (figure.readouts)(values);
-    let readouts = readouts.iter().map(|(name, text)| (&name[..], json::quote(text)));
+    let quoted_readouts = readouts.iter().map(|(name, text)| (&name[..], json::quote(text)));
     let mut fields = vec![
         ("values", by_id(&|_, value| value.to_string())),
         ("texts", by_id(&|parameter, value| json::quote(&parameter.format(value)))),
         ("visible", by_id(&|parameter, _| (parameter.has_control)(parameter, values).to_string())),
         ("positions", json::list(positions)),
-        ("readouts", json::object(readouts)),
+        ("readouts", json::object(quoted_readouts)),
     ];
     if let Some(scene) = &figure.editable_scene {
         fields.push(("program", json::quote(&(scene.program)(values))));
@@ -175,7 +173,8 @@ fn quote_or_null(text: Option<impl Display>) -> String {
     text.map_or("null".to_owned(), quote)
 }
 
-/// The picture in the format of a canvas: red, green, blue and 255 for each pixel, row by row.
+/// Converts a picture to the format of a canvas: red, green, blue and 255 for each pixel, row by
+/// row.
 pub fn rgba_bytes(image: &RgbImage) -> Vec<u8> {
     let mut bytes = vec![255; 4 * image.as_raw().len() / 3];
     for (rgba, Rgb([red, green, blue])) in bytes.chunks_exact_mut(4).zip(image.pixels()) {

@@ -6,8 +6,8 @@ use step04_diffuse::{
 };
 
 /// The direction to the light, for a reader who looks at the drawing: right, up, and out of the
-/// page. It comes from over the left shoulder, as the warm light comes to the red sphere in the
-/// picture of step 4.
+/// page. The light comes from over the left shoulder, as the warm light does at the red sphere in
+/// the picture of step 4.
 pub const TO_LIGHT: DVec3 = DVec3::new(-3.35, 5.16, 5.4);
 
 /// The distance from a ball to the light, in radii of the ball.
@@ -24,7 +24,7 @@ pub struct Shading {
     pub id: &'static str,
     /// The point of the ball that is nearest to the light, right and up from the centre, in radii.
     brightest: DVec2,
-    /// The colours from there to the opposite side of the outline, at equal distances.
+    /// The colours at equal distances from the brightest point to the opposite side of the outline.
     colours: Vec<[u8; 3]>,
 }
 

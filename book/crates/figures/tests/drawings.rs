@@ -1,5 +1,5 @@
-//! The texts of each figure and what a page receives for it, locked as text. Each element of a drawing and each field
-//! of JSON has its own line.
+//! What a page shows and receives for each figure, locked as text. Each element of a drawing and
+//! each field of JSON has its own line.
 
 use course::{Step, find_picture};
 use figures::{
@@ -51,10 +51,11 @@ fn json_lines(json: &str) -> String {
 
 /// Lists the requests about a figure, each described in words and followed by its reply.
 fn replies(figure: &Figure, requests: &[(String, FigureRequest)]) -> String {
-    let parts = requests
+    let parts: Vec<_> = requests
         .iter()
-        .map(|(description, request)| format!("{description}\n{}\n", reply_lines(figure, request)));
-    parts.collect::<Vec<_>>().join("\n")
+        .map(|(description, request)| format!("{description}\n{}\n", reply_lines(figure, request)))
+        .collect();
+    parts.join("\n")
 }
 
 /// A request that shows the figure at these values. A picture has only eight columns.

@@ -68,9 +68,10 @@ fn image_half_axes(degrees: f64) -> DVec2 {
     let [left, _, right] = image_x(degrees);
     let middle = (left + right) / 2.0;
     let (sin, cos) = degrees.to_radians().sin_cos();
-    // All rays that touch the ball make the same angle with the axis of the cone.
-    let length = (middle * sin + cos) / HALF_ANGLE.to_radians().cos();
-    dvec2((right - left) / 2.0, (length * length - middle * middle - 1.0).sqrt())
+    // The top of the ellipse is on the cone, so the angle between its direction and the cone's axis
+    // is `HALF_ANGLE`. From this follows the distance between the eye and the top.
+    let distance = (middle * sin + cos) / HALF_ANGLE.to_radians().cos();
+    dvec2((right - left) / 2.0, (distance * distance - middle * middle - 1.0).sqrt())
 }
 
 /// Draws a ball, its image, and the rays that touch it on both sides.

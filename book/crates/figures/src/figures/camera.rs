@@ -62,8 +62,8 @@ impl CameraFigure {
         self.camera.ray(self.pixel.x, self.pixel.y)
     }
 
-    /// Projects a point in the world to the drawing: turned about y, then tilted, without
-    /// perspective. A wide view is drawn at a smaller scale.
+    /// Projects a point in the world to the drawing: rotates it about the y axis, then about the x
+    /// axis, and drops its z. A wide view is drawn at a smaller scale.
     fn project(&self, point: DVec3) -> DVec2 {
         let turn = DQuat::from_rotation_x(0.3) * DQuat::from_rotation_y(-0.72);
         let scale = (144.35 / -self.camera.matrix.z_axis.x).min(250.0);
@@ -71,7 +71,8 @@ impl CameraFigure {
         view.to_drawing((turn * point).truncate())
     }
 
-    /// The fractional pixel at a position in the drawing, clamped to the picture.
+    /// Inverts the projection of the image plane: returns the fractional pixel at a position in the
+    /// drawing, clamped to the picture.
     fn pixel_at(&self, position: DVec2) -> DVec2 {
         let project = |i, j| self.project(self.camera.ray(i, j).at(1.0));
         let first = project(0.0, 0.0);

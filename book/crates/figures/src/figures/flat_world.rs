@@ -84,8 +84,8 @@ impl FlatWorld {
         Self { ray, q: point(LIGHT), balls: balls.collect() }
     }
 
-    /// Follows the ray from the eye through at most three hits. Returns the hits, and the last ray
-    /// if it hits nothing.
+    /// Follows the ray from the eye and its reflections, for at most three hits. Returns the hits,
+    /// and the ray that hits nothing, if there is one.
     fn trace(&self) -> (Vec<PathPoint<'_>>, Option<Ray>) {
         let (mut hits, mut ray) = (vec![], self.ray);
         for _ in 0..3 {

@@ -7,7 +7,7 @@ use step03_nearest::{Ray, Sphere};
 /// Maps (depth, height) to the drawing. The camera looks right.
 const VIEW: View = View { origin: dvec2(26.0, 172.0), scale: DVec2::splat(78.0) };
 
-/// The three balls: near, in the middle, and far away.
+/// The three balls: nearby, in the middle, and far away.
 const BALLS: [Sphere; 3] = [
     Sphere { centre: DVec3::new(0.0, -0.19, -0.85), radius: 0.12 },
     Sphere { centre: DVec3::new(0.0, 0.45, -2.35), radius: 0.33 },

@@ -59,7 +59,7 @@ fn draw_beam(drawing: &mut Drawing, ground: DVec2, degrees: f64) {
     // A beam at a grazing angle lights more ground than is drawn, so we cut it off there.
     let edge = (92.0 / half.abs()).min(1.0);
     let foot = |k: f64| ground + dvec2(k * half, 0.0);
-    // At a right angle to the beam.
+    // The unit vector at a right angle to the beam.
     let across = to_light.perp();
     let start = |k: f64| ground + LENGTH * to_light + 26.0 * k * across;
     drawing.area("beam", [foot(-edge), foot(edge), start(edge), start(-edge)]);
@@ -104,7 +104,7 @@ fn draw_beam(drawing: &mut Drawing, ground: DVec2, degrees: f64) {
     drawing.label("quiet", ground + dvec2(0.0, 80.0), &label);
 }
 
-/// The step's diffuse term for a white light in the direction `l`. n points up.
+/// The diffuse term from step 4 for a white light in the direction `l`, where n points up.
 fn brightness(l: DVec2) -> f64 {
     let attenuation = Attenuation { a: 1.0, b: 0.0, c: 0.0 };
     let light = PointLight { position: l.extend(0.0), diffuse: DVec3::ONE, attenuation };

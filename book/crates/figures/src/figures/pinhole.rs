@@ -12,7 +12,7 @@ const CONTENT: Content = Content::Drawing {
 
 /// A pinhole camera from the side, with the image behind the pinhole and the one in front of it.
 pub fn figure() -> Figure {
-    Figure { ..Figure::new("pinhole", CONTENT) }
+    Figure::new("pinhole", CONTENT)
 }
 
 fn draw(_: &ParameterValues) -> Drawing {

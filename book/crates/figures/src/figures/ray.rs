@@ -57,18 +57,18 @@ pub fn figure() -> Figure {
     }
 }
 
-/// The ray, and the t of the point at the chosen distance from S.
+/// The ray, and the t of the point at the distance from S that the reader sets.
 fn ray_and_t(values: &ParameterValues) -> (Ray, f64) {
     let [start, direction] = [START, V].map(|point| values.point(point).extend(0.0));
     (Ray { start, direction }, values[DISTANCE] / direction.length())
 }
 
-/// The position in the drawing of r(t).
+/// The position of r(t) in the drawing.
 fn position_on_ray(values: &ParameterValues, t: f64) -> DVec2 {
     VIEW.to_drawing(ray_and_t(values).0.at(t).truncate())
 }
 
-/// The position in the drawing of V's tip.
+/// The position of the tip of V in the drawing.
 fn v_tip_position(values: &ParameterValues) -> DVec2 {
     position_on_ray(values, 1.0) + BESIDE
 }

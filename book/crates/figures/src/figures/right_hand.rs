@@ -12,7 +12,7 @@ const CONTENT: Content = Content::Drawing {
 
 /// The three axes from the front, and the direction in which a camera looks.
 pub fn figure() -> Figure {
-    Figure { ..Figure::new("right-hand", CONTENT) }
+    Figure::new("right-hand", CONTENT)
 }
 
 fn draw(_: &ParameterValues) -> Drawing {

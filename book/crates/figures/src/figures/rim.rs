@@ -1,4 +1,4 @@
-//! A highlight that the slide's formula puts on a side that no light reaches.
+//! The highlight that the slide's formula draws where the light is behind the surface.
 
 use super::*;
 use step05_phong::reflect;

@@ -32,8 +32,8 @@ pub fn figure() -> Figure {
     }
 }
 
-/// The outline of the disc that a plane cuts out of a sphere: the plane through the eye and the row
-/// of pixels to which `ray` belongs. Returns None if the plane misses the sphere.
+/// The outline, in the drawing, of the disc in which a plane cuts a sphere. The plane contains the
+/// rays of one row of pixels, and `ray` is one of them. Returns None if the plane misses the sphere.
 fn cut_outline(sphere: &Sphere, ray: &Ray) -> Option<Vec<DVec2>> {
     let ahead = ray.direction.with_x(0.0);
     let along = ahead.normalize();

@@ -38,8 +38,8 @@ pub fn figure() -> Figure {
     }
 }
 
-/// The handle of the sphere or light with index `k`. It exists only while the switch `presence` is
-/// on.
+/// The handle for the sphere or light with index `k`. It can be dragged only while the switch
+/// `presence` is on.
 fn handle(owner: Owner, k: usize, presence: ParameterId) -> Option<Handle> {
     let camera_and_point = move |values: &ParameterValues| {
         values.is_on(presence).then(|| {
@@ -63,8 +63,8 @@ fn handle(owner: Owner, k: usize, presence: ParameterId) -> Option<Handle> {
 
 /// The objects that have a colour, with the parameters for its channels.
 fn colour_parameters() -> Vec<(&'static str, [ParameterId; 3])> {
-    let objects = PARAMETERS.iter().filter_map(|(_, parameter)| parameter.id.object());
-    let mut objects: Vec<_> = objects.collect();
+    let mut objects: Vec<_> =
+        PARAMETERS.iter().filter_map(|(_, parameter)| parameter.id.object()).collect();
     objects.dedup();
     let with_ids = |object| Some((object, component_ids(object, Component::OF_COLOUR)?));
     objects.into_iter().filter_map(with_ids).collect()

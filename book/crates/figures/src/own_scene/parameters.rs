@@ -1,6 +1,6 @@
-//! The parameters of the reader's own scene: the numbers of the camera, the ambient light, the
-//! spheres and the lights, and the switches. By default, three spheres and one light are off, and
-//! so are shadows and mirrors.
+//! The parameters of the reader's own scene: the numbers that describe the camera, the ambient
+//! light, the spheres and the lights, and the switches. By default, three spheres and one light are
+//! off, and so are shadows and mirrors.
 
 use crate::{Axis, Parameter, ParameterId, ParameterValues};
 use course::examples::mirror::mirrors;
@@ -44,7 +44,8 @@ pub static PARAMETERS: LazyLock<Vec<(Target, Parameter)>> = LazyLock::new(|| {
     parameters
 });
 
-/// The parameters for the numbers of the owner called `name`, which has index `k`.
+/// Returns a parameter for each number that belongs to the camera, to the scene, or to the object or
+/// light with index `k`. `name` stands for this owner in the ids.
 fn number_parameters(
     own: &OwnScene,
     owner: Owner,
@@ -126,7 +127,7 @@ fn largest_scene() -> OwnScene {
         ball("twelfth sphere", [1.6, 1.7, -8.0], 0.45, [0.85, 0.15, 0.35], 0.3, 20),
     ]);
     scene.lights.push(lamp([0.3, 1.5, -5.0], [0.9, 0.3, 0.6], [1.0, 0.6, 0.8], [0.6, 0.0, 0.1]));
-    let mirror_parts = mirrors().objects.into_iter().map(|object| object.material.k);
-    let mirror_parts = mirror_parts.chain([0.5, 0.3, 0.1]).collect();
+    let default_parts = mirrors().objects.into_iter().map(|object| object.material.k);
+    let mirror_parts = default_parts.chain([0.5, 0.3, 0.1]).collect();
     OwnScene { mirror_parts, ..OwnScene::new(scene) }
 }

@@ -10,7 +10,8 @@ use step05_phong::{Attenuation, Light, Material, Object};
 /// The program that draws step 5's own scene.
 const EXAMPLE: &str = include_str!("../../../../../steps/step05_phong/examples/own_scene.rs");
 
-/// The exercise `look_at`, whose function body a moved camera needs.
+/// The solution of the exercise `look_at`. If the camera is moved, the program contains the body of
+/// its function.
 const LOOK_AT: &str = include_str!("../../../../../steps/step01_rays/examples/look_at.rs");
 
 /// Formats the program that draws the scene.
@@ -30,8 +31,8 @@ pub fn format_program(own: &OwnScene) -> String {
 ///
 /// Panics if the program has no such function.
 fn body_range(program: &str, function: &str) -> Range<usize> {
-    let start = program.find(&format!("pub fn {function}(")).expect("the function");
-    let start = start + program[start..].find("{\n").expect("a body") + 2;
+    let signature = program.find(&format!("pub fn {function}(")).expect("the function");
+    let start = signature + program[signature..].find("{\n").expect("a body") + 2;
     start..start + program[start..].find("\n}").expect("an end")
 }
 
@@ -53,7 +54,8 @@ fn scene_body(own: &OwnScene) -> String {
     )
 }
 
-/// The body of `my_camera`, which may set the field of view and move the camera as `look_at` does.
+/// The body of `my_camera`. It sets the field of view, and moves the camera as `look_at` does, each
+/// only if it differs from the default.
 fn camera_body(own: &OwnScene) -> String {
     let mut body = String::new();
     if own.fov_degrees != FOV_DEGREES {
@@ -75,8 +77,8 @@ fn camera_body(own: &OwnScene) -> String {
     )
 }
 
-/// The body of `picture` for a scene with shadows and mirrors. It draws with `mirror.rs`, and gives
-/// each ball its `k`, the part of its colour that is a mirror image.
+/// The body of `picture` for a scene with shadows and mirrors. It draws with the `colour` of
+/// `mirror.rs`, and gives each ball its `k`, the fraction of its colour that is a mirror image.
 fn mirrors_body(own: &OwnScene) -> String {
     let arms = zip(&own.scene.objects, &own.mirror_parts)
         .map(|(object, k)| format!("            {:?} => {k:?},\n", object.name));

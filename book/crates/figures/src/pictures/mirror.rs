@@ -98,13 +98,13 @@ fn readouts(values: &ParameterValues) -> Readouts {
         ("seen", describe_hit(&mirrors.scene.objects, &ray)),
         ("bytes", format_vector(bytes.map(f64::from))),
     ]);
-    let mut ray = Some(ray);
+    let mut next_ray = Some(ray);
     for k in 0..=MAX_DEPTH {
-        let hit = ray.map(|ray| mirrors.trace_hit(&ray, mirrors.depth - k));
+        let hit = next_ray.map(|ray| mirrors.trace_hit(&ray, mirrors.depth - k));
         let (row, mirrored) = hit.unwrap_or_default();
         let names = ["object", "t", "k", "I"].map(|column| row_readout_name(column, k as usize));
         readouts.extend(names.into_iter().zip(row));
-        ray = mirrored;
+        next_ray = mirrored;
     }
     readouts
 }

@@ -12,7 +12,7 @@ use step05_phong::{
     Hit, Light, Material, Object, Scene, light_terms, nearest, phong, reflect, visible_point,
 };
 
-/// Describes what a ray hits first: an object and its t, or the sky.
+/// Describes what a ray hits first: an object, with the t of the hit, or the sky.
 pub fn describe_hit<M>(objects: &[Object<M>], ray: &Ray) -> String {
     match nearest(objects, ray) {
         Some(Hit { object, t }) => {
@@ -22,7 +22,7 @@ pub fn describe_hit<M>(objects: &[Object<M>], ray: &Ray) -> String {
     }
 }
 
-/// The trace of the probe's pixel without its shading, for which see [`trace_shading`].
+/// The trace of the probe's pixel, without the shading. [`trace_shading`] returns that.
 pub fn trace_pixel<M>(
     values: &ParameterValues,
     objects: &[Object<M>],
@@ -64,8 +64,8 @@ pub fn trace_pixel<M>(
     readouts
 }
 
-/// The shading at the probe: the numbers of the point and its terms, then those for each light.
-/// Empty if the probe is on the sky.
+/// The trace of the shading at the probe: n, v, the shininess and the three Phong terms, then the
+/// numbers for each light. Returns no readouts if the probe is on the sky.
 pub fn trace_shading(values: &ParameterValues, scene: &Scene<Material, Light>) -> Readouts {
     let ray = &probe_ray(values);
     let Some(point) = visible_point(&scene.objects, ray) else { return Readouts::new() };

@@ -12,13 +12,15 @@ pub const FIELD_OF_VIEW: ParameterId = ParameterId::new("field of view");
 pub const ASPECT_RATIO: ParameterId = ParameterId::new("aspect ratio");
 pub const COLUMNS: ParameterId = ParameterId::new("columns");
 
-/// The lecture's four aspect ratios. Their names on the control follow.
+/// The four aspect ratios from the lecture.
 const ASPECT_RATIOS: [AspectRatio; 4] = [
     AspectRatio { width: 4.0, height: 3.0 },
     AspectRatio { width: 16.0, height: 9.0 },
     AspectRatio { width: 2.35, height: 1.0 },
     AspectRatio { width: 2.59, height: 1.0 },
 ];
+
+/// The names of the aspect ratios on the control, in the same order.
 const ASPECT_RATIO_NAMES: &[&str] = &["4:3", "16:9", "2.35:1", "2.59:1"];
 
 /// The picture of step 1. Its field of view, aspect ratio and number of columns can be set.
@@ -38,7 +40,7 @@ pub fn figure() -> Figure {
     }
 }
 
-/// The picture of step 1 with a probe. No ray meets anything there, so its trace is short.
+/// The picture of step 1 with a probe. Step 1 has no objects yet, so the trace is short.
 pub fn figure_with_probe() -> Figure {
     Figure {
         readouts: |values| {
@@ -62,7 +64,7 @@ pub fn aspect_ratio_parameter() -> Parameter {
     Parameter::choice(ASPECT_RATIO, "aspect ratio", 1.0, ASPECT_RATIO_NAMES)
 }
 
-/// The camera with this many columns, and with the field of view and aspect ratio of these values.
+/// The camera with this many columns, and with the field of view and aspect ratio in `values`.
 pub fn camera(values: &ParameterValues, columns: u32) -> Camera {
     let v_res = values.choice(ASPECT_RATIO, &ASPECT_RATIOS).v_res(columns);
     Camera::new(columns, v_res, values[FIELD_OF_VIEW].to_radians())

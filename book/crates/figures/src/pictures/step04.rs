@@ -50,7 +50,7 @@ fn position_parameters(light: PointId, position: DVec3, ranges: [[f64; 2]; 3]) -
     ]
 }
 
-/// The scene with the lights moved to these values.
+/// The scene with its lights at the positions in `values`.
 fn scene_with_moved_lights(values: &ParameterValues) -> Scene<Matte, PointLight> {
     let mut scene = step04_diffuse::scene();
     for (light, position) in scene.lights.iter_mut().zip(LIGHTS) {
@@ -66,7 +66,7 @@ fn readouts(values: &ParameterValues) -> Readouts {
     readouts
 }
 
-/// Converts the scene to one of step 5, without highlights.
+/// Converts the scene to one for step 5, without highlights.
 fn phong_scene(scene: &Scene<Matte, PointLight>) -> Scene<Material, Light> {
     let specular = DVec3::ZERO;
     let objects = scene.objects.iter().map(|object| {

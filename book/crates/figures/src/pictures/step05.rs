@@ -67,7 +67,8 @@ fn readouts(values: &ParameterValues) -> Readouts {
     readouts
 }
 
-/// A parameter of an object. It has a control only while the probe is on the object.
+/// A parameter that belongs to an object. The page shows its control only while the probe is on the
+/// object.
 pub fn probed_object_parameter(
     id: ParameterId,
     object: &str,
