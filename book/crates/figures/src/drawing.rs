@@ -123,12 +123,10 @@ impl Drawing {
             let is_inside = label_box.shift_into(dvec2(WIDTH, self.height)) == DVec2::ZERO;
             is_inside && !others.iter().any(|other| label_box.overlaps(other))
         };
-        let mut distances = (0..=15).map(|k| 4.0 * f64::from(k));
-        distances
-            .find_map(|distance| {
-                DIRECTIONS.map(|d| inside + distance * d).into_iter().find(is_free)
-            })
-            .unwrap_or(inside)
+        let distances = (0..=15).map(|k| 4.0 * f64::from(k));
+        let mut candidates =
+            distances.flat_map(|distance| DIRECTIONS.map(|d| inside + distance * d));
+        candidates.find(is_free).unwrap_or(inside)
     }
 
     /// The labels' texts, and the boxes that they fill.

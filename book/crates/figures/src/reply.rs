@@ -40,9 +40,9 @@ impl Reply {
 }
 
 /// Replies to a request about the figure with this name.
-pub fn reply(name: &str, request: &FigureRequest) -> Result<Reply, FigureRequestError> {
-    let unknown = || FigureRequestError::UnknownFigure(name.to_owned());
-    let figure = find_figure(name).ok_or_else(unknown)?;
+pub fn reply(figure_name: &str, request: &FigureRequest) -> Result<Reply, FigureRequestError> {
+    let unknown = || FigureRequestError::UnknownFigure(figure_name.to_owned());
+    let figure = find_figure(figure_name).ok_or_else(unknown)?;
     let reply = match request {
         FigureRequest::About => about_figure(figure),
         FigureRequest::Show { values, columns } => {

@@ -4,9 +4,9 @@ use course::escape_html;
 
 /// Writes a symbol as SVG, in the italic letters of the formulas. `_` makes the next character a
 /// subscript.
-pub fn symbol_spans(text: &str) -> String {
+pub fn symbol_spans(symbol: &str) -> String {
     let mut spans = String::from(r#"<tspan class="math">"#);
-    let mut letters = text.chars().map(italic_letter);
+    let mut letters = symbol.chars().map(italic_letter);
     while let Some(letter) = letters.next() {
         if letter == '_' {
             let subscript = letters.next().unwrap_or(' ');

@@ -57,15 +57,15 @@ fn centre_from_above(degrees: f64) -> DVec2 {
     ABOVE.to_drawing(DISTANCE * direction_left_of_up(-degrees))
 }
 
-/// The x at which the rays to a ball's left side, centre and right side cross the image plane.
-fn image_x(degrees: f64) -> [f64; 3] {
-    [-HALF_ANGLE, 0.0, HALF_ANGLE].map(|shift| (degrees + shift).to_radians().tan())
+/// The x at which a ray that is this many degrees off the axis crosses the image plane.
+fn image_plane_x(degrees: f64) -> f64 {
+    degrees.to_radians().tan()
 }
 
 /// Half the width and half the height of a ball's image. It is an ellipse, because the image plane
 /// cuts the cone of rays that touch the ball.
 fn image_half_axes(degrees: f64) -> DVec2 {
-    let [left, _, right] = image_x(degrees);
+    let [left, right] = [degrees - HALF_ANGLE, degrees + HALF_ANGLE].map(image_plane_x);
     let middle = (left + right) / 2.0;
     let (sin, cos) = degrees.to_radians().sin_cos();
     // The top of the ellipse is on the cone, so the angle between its direction and the cone's axis
@@ -82,7 +82,8 @@ fn draw_ball(drawing: &mut Drawing, degrees: f64) {
     let from_above = Shading::new("ball-outlines-ball", DVec3::new(x, -z, y));
     let radius = ABOVE.scale.x * DISTANCE * HALF_ANGLE.to_radians().sin();
     drawing.ball(&from_above, centre_from_above(degrees), DVec2::splat(radius));
-    let [left, middle, right] = image_x(degrees);
+    let [left, middle, right] =
+        [degrees - HALF_ANGLE, degrees, degrees + HALF_ANGLE].map(image_plane_x);
     let centre = PICTURE.xy_to_drawing((left + right) / 2.0, 0.0);
     drawing.ball(&in_picture, centre, PICTURE.scale * image_half_axes(degrees));
     let on_plane = |x: f64| ABOVE.xy_to_drawing(x, 1.0);

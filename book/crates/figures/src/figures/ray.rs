@@ -33,9 +33,9 @@ pub fn figure() -> Figure {
     let v_at = |values: &ParameterValues, position| {
         Some(VIEW.to_world(position - BESIDE) - values.point(START))
     };
-    let point = |values: &ParameterValues| position_on_ray(values, ray_and_t(values).1);
+    let point = |values: &ParameterValues| position_on_ray(values, t_at_distance(values));
     let distance_at = |values: &ParameterValues, position| {
-        let (ray, _) = ray_and_t(values);
+        let ray = ray(values);
         let from_start = VIEW.to_world(position).extend(0.0) - ray.start;
         from_start.dot(ray.direction.normalize())
     };
@@ -47,7 +47,7 @@ pub fn figure() -> Figure {
             Handle::of_parameter(distance_label, DISTANCE, point, distance_at),
         ],
         has_something_to_show: |values| {
-            let is_long = ray_and_t(values).0.direction.length() >= 1.0;
+            let is_long = ray(values).direction.length() >= 1.0;
             is_long
                 && is_well_inside_drawing(position_on_ray(values, 0.0))
                 && is_well_inside_drawing(v_tip_position(values))
@@ -57,15 +57,19 @@ pub fn figure() -> Figure {
     }
 }
 
-/// The ray, and the t of the point at the distance from S that the reader sets.
-fn ray_and_t(values: &ParameterValues) -> (Ray, f64) {
+fn ray(values: &ParameterValues) -> Ray {
     let [start, direction] = [START, V].map(|point| values.point(point).extend(0.0));
-    (Ray { start, direction }, values[DISTANCE] / direction.length())
+    Ray { start, direction }
+}
+
+/// The t of the point at the distance from S that the reader sets.
+fn t_at_distance(values: &ParameterValues) -> f64 {
+    values[DISTANCE] / ray(values).direction.length()
 }
 
 /// The position of r(t) in the drawing.
 fn position_on_ray(values: &ParameterValues, t: f64) -> DVec2 {
-    VIEW.to_drawing(ray_and_t(values).0.at(t).truncate())
+    VIEW.to_drawing(ray(values).at(t).truncate())
 }
 
 /// The position of the tip of V in the drawing.
@@ -97,7 +101,7 @@ fn draw(values: &ParameterValues) -> Drawing {
             drawing.label("quiet over start", label, &format!("$t$ = {}", format_number(t)));
         }
     }
-    let (_, t) = ray_and_t(values);
+    let t = t_at_distance(values);
     let sign = if t < 0.0 { '−' } else { '+' };
     let label = format!("$S$ {sign} {}$V$", format_rounded(t.abs(), 2));
     // The label is above the ray, or below it near the top of the drawing.
@@ -108,8 +112,7 @@ fn draw(values: &ParameterValues) -> Drawing {
 }
 
 fn readouts(values: &ParameterValues) -> Readouts {
-    let (ray, t) = ray_and_t(values);
-    let length = ray.direction.length();
+    let (length, t) = (ray(values).direction.length(), t_at_distance(values));
     collect_readouts([
         ("length", format_rounded(length, 2)),
         ("distance", format_rounded(t.abs() * length, 2)),

@@ -27,7 +27,7 @@ pub fn figure() -> Figure {
         parameters: vec![angle],
         handles: vec![Handle::of_degrees_left_of_up("the lamp", ANGLE, VIEW, 1.0)],
         readouts: |values| {
-            let [n, l, r, v] = vectors(values);
+            let [n, l, r, v] = phong_vectors(values);
             let [nl, rv] = [n.dot(l), r.dot(v)].map(|cosine| format_rounded(cosine, 2));
             collect_readouts([("nl", nl), ("rv", rv)])
         },
@@ -36,7 +36,7 @@ pub fn figure() -> Figure {
 }
 
 /// The unit vectors n, l, r and v. n leans a little towards the eye.
-fn vectors(values: &ParameterValues) -> [DVec3; 4] {
+fn phong_vectors(values: &ParameterValues) -> [DVec3; 4] {
     let [n, l, v] =
         [-8.0, values[ANGLE], -90.0].map(|angle| direction_left_of_up(angle).extend(0.0));
     [n, l, reflect(n, l), v]
@@ -45,7 +45,7 @@ fn vectors(values: &ParameterValues) -> [DVec3; 4] {
 fn draw(values: &ParameterValues) -> Drawing {
     let mut drawing = Drawing::new(314.0);
     let p = VIEW.origin;
-    let [n, l, r, v] = vectors(values);
+    let [n, l, r, v] = phong_vectors(values);
     let up = dvec2(n.x, -n.y);
     drawing.circle("object", p - RADIUS * up, RADIUS);
     drawing.line("guide", p - 190.0 * up.perp(), p + 190.0 * up.perp());
