@@ -5,9 +5,9 @@
 mod feedback;
 mod folder;
 mod names;
-mod not_looked_at;
 mod report;
 mod scene_sheet;
+mod skipped_paths;
 mod student;
 mod table;
 mod write_folder;
@@ -21,7 +21,7 @@ pub use write_folder::WriteFolderError;
 use crate::class::folder::{
     StudentFolder, find_files, find_own_pictures, printable_name, read_class_folder,
 };
-use crate::class::names::{DuplicateNames, NamedFolders};
+use crate::class::names::{DuplicateNames, ListedNames};
 use crate::class::student::{StudentReport, check_student};
 use rayon::prelude::*;
 use std::path::Path;
@@ -36,18 +36,18 @@ pub fn report_on_class(
 ) -> Result<ClassReport, FolderError> {
     let class = read_class_folder(folder)?;
     let duplicates = DuplicateNames::new(&class.students);
-    let named = names.map(|names| NamedFolders::new(names, &class.students));
+    let listed_names = names.map(|names| ListedNames::new(names, &class.students));
     let check = |student: &StudentFolder| {
         let name = printable_name(&student.name);
         let mut report = check_student(name, find_files(student), required);
         report.notes.extend(duplicates.note(student));
-        report.notes.extend(named.as_ref().and_then(|named| named.note(student)));
+        report.notes.extend(listed_names.as_ref().and_then(|listed| listed.note(student)));
         report
     };
     let mut students: Vec<_> = class.students.par_iter().map(check).collect();
-    let absent = named.iter().flat_map(NamedFolders::absent);
-    students.extend(absent.map(|name| StudentReport::without_folder(name, required)));
-    Ok(ClassReport { students, not_looked_at: class.not_looked_at })
+    let names_without_folder = listed_names.iter().flat_map(ListedNames::names_without_folder);
+    students.extend(names_without_folder.map(|name| StudentReport::without_folder(name, required)));
+    Ok(ClassReport { students, skipped_paths: class.skipped_paths })
 }
 
 /// Reports on a reader's own pictures in a folder, but not in its subfolders.
@@ -55,6 +55,6 @@ pub fn report_on_own_pictures(
     folder: &Path,
     required: &[&'static str],
 ) -> Result<OwnReport, FolderError> {
-    let own = check_student(String::new(), find_own_pictures(folder)?, required);
-    Ok(OwnReport { own })
+    let report = check_student(String::new(), find_own_pictures(folder)?, required);
+    Ok(OwnReport { report })
 }

@@ -90,9 +90,9 @@ fn find_shared_cause<'a>(
     earlier: &[PictureReport],
 ) -> Option<(&'a Cause, &'static str)> {
     earlier.iter().find_map(|report| {
-        let gives_it =
+        let is_shared =
             |cause: &&Cause| report.files.iter().any(|file| file.feedback.causes.contains(cause));
-        Some((causes.iter().find(gives_it)?, report.picture))
+        Some((causes.iter().find(is_shared)?, report.picture))
     })
 }
 
@@ -108,13 +108,13 @@ mod tests {
         Answer::new(verdict, "The headline.".to_owned())
     }
 
-    fn with_options(doubts: OptionDoubts) -> Feedback {
+    fn feedback_on_options(doubts: OptionDoubts) -> Feedback {
         let answer = Answer { option_doubts: doubts, ..answer(Verdict::OtherOptions) };
         judge(&Ok(answer), &[])
     }
 
     #[test]
-    fn right_picture_has_its_point_and_no_sentence() {
+    fn right_picture_earns_its_point_and_has_no_sentence() {
         let right = judge(&Ok(answer(Verdict::Right)), &[]);
         assert!(right.earns_point() && right.sentence.is_empty());
         let wrong = judge(&Ok(answer(Verdict::NotRight)), &[]);
@@ -123,15 +123,18 @@ mod tests {
     }
 
     #[test]
-    fn options_have_the_point_unless_something_else_gives_the_picture() {
-        let plain = with_options(OptionDoubts::default());
+    fn other_options_earn_the_point_unless_something_else_may_give_the_picture() {
+        let plain = feedback_on_options(OptionDoubts::default());
         assert!(plain.earns_point());
         assert_eq!(plain.sentence, "The headline.");
-        let one_colour = with_options(OptionDoubts { is_one_colour: true, ..Default::default() });
+        let one_colour =
+            feedback_on_options(OptionDoubts { is_one_colour: true, ..Default::default() });
         assert!(!one_colour.earns_point());
         assert_eq!(one_colour.sentence, "The headline.");
-        let mistaken =
-            with_options(OptionDoubts { mistakes: vec![&mistakes()[0]], ..Default::default() });
+        let mistaken = feedback_on_options(OptionDoubts {
+            mistakes: vec![&mistakes()[0]],
+            ..Default::default()
+        });
         assert!(!mistaken.earns_point());
         assert_eq!(
             mistaken.sentence,
@@ -141,7 +144,7 @@ mod tests {
     }
 
     #[test]
-    fn file_that_is_no_picture_is_unreadable() {
+    fn file_that_cannot_be_checked_is_unreadable() {
         let feedback = judge(&Err(CheckError::UnknownName), &[]);
         assert_eq!(feedback.verdict.words(), "unreadable");
         assert!(!feedback.earns_point());
@@ -160,7 +163,7 @@ mod tests {
         };
         let earlier = [PictureReport {
             picture: "step01_rays",
-            counts: true,
+            is_counted: true,
             files: vec![file(Ok(answer(Verdict::Right))), file(wrong(&["a", "b"]))],
             file_count: 2,
         }];

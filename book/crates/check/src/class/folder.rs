@@ -1,11 +1,12 @@
 //! Finds the students' folders in a class's folder, and the files in a student's folder. Links
 //! aren't followed, and both the number of entries and the depth are limited.
 
-use crate::class::not_looked_at::{NotLookedAt, SkipReason};
+use crate::class::skipped_paths::{SkipReason, SkippedPaths};
 use crate::escape_for_terminal;
 use std::collections::VecDeque;
 use std::ffi::{OsStr, OsString};
 use std::fs::{self, DirEntry};
+use std::io;
 use std::path::{Path, PathBuf};
 use thiserror::Error;
 
@@ -36,12 +37,12 @@ pub enum FolderError {
     #[error("{0} has more than {MAX_ENTRIES} entries")]
     TooManyEntries(String),
     /// The class's folder contains no folders.
-    #[error("{folder} contains no folders; it needs one for each student{}", with_semicolon(.not_looked_at))]
+    #[error("{folder} contains no folders; it needs one for each student{}", with_semicolon(.skipped_paths))]
     NoStudents {
         /// The class's folder.
         folder: String,
         /// A clause that lists what is there instead, if anything.
-        not_looked_at: Option<String>,
+        skipped_paths: Option<String>,
     },
 }
 
@@ -52,8 +53,8 @@ fn with_semicolon(clause: &Option<String>) -> String {
 /// A class's folder.
 pub(crate) struct ClassFolder {
     pub students: Vec<StudentFolder>,
-    /// What else is in the class's folder.
-    pub not_looked_at: NotLookedAt,
+    /// Everything in the class's folder that isn't a student's folder.
+    pub skipped_paths: SkippedPaths,
 }
 
 /// A student's folder.
@@ -67,7 +68,7 @@ pub(crate) struct StudentFolder {
 pub(crate) struct Contents {
     /// The files in the folder and its subfolders, the least deeply nested first.
     pub files: Vec<FoundFile>,
-    pub not_looked_at: NotLookedAt,
+    pub skipped_paths: SkippedPaths,
 }
 
 /// A file in a student's folder.
@@ -92,10 +93,10 @@ impl FoundFile {
 
 /// Reads a class's folder, in which every folder is a student's.
 pub(crate) fn read_class_folder(folder: &Path) -> Result<ClassFolder, FolderError> {
-    let mut class = ClassFolder { students: vec![], not_looked_at: NotLookedAt::default() };
+    let mut class = ClassFolder { students: vec![], skipped_paths: SkippedPaths::default() };
     for entry in read_top_folder(folder)? {
         let (name, path, kind) = (entry.file_name(), entry.path(), entry.file_type());
-        let mut skip = |reason| class.not_looked_at.add(printable_name(&name), reason);
+        let mut skip = |reason| class.skipped_paths.add(printable_name(&name), reason);
         match kind {
             Ok(kind) if kind.is_dir() => class.students.push(StudentFolder { name, path }),
             Ok(kind) if kind.is_symlink() => skip(SkipReason::Link),
@@ -105,8 +106,8 @@ pub(crate) fn read_class_folder(folder: &Path) -> Result<ClassFolder, FolderErro
     }
     if class.students.is_empty() {
         let folder = printable_name(folder.as_os_str());
-        let not_looked_at = class.not_looked_at.clause();
-        return Err(FolderError::NoStudents { folder, not_looked_at });
+        let skipped_paths = class.skipped_paths.clause();
+        return Err(FolderError::NoStudents { folder, skipped_paths });
     }
     Ok(class)
 }
@@ -137,18 +138,18 @@ struct UnreadFolder {
 /// Finds the files in a student's folder and its subfolders. The search is breadth-first, so that
 /// the limit on entries cuts off the most deeply nested ones.
 pub(crate) fn find_files(student: &StudentFolder) -> Contents {
-    let Contents { mut files, mut not_looked_at } = Contents::default();
+    let Contents { mut files, mut skipped_paths } = Contents::default();
     let mut entries_left = MAX_ENTRIES;
-    let top = student.path.clone();
-    let top = UnreadFolder { path: top, printable_path: String::new(), depth: 1 };
-    let mut unread = VecDeque::from([top]);
+    let top_folder =
+        UnreadFolder { path: student.path.clone(), printable_path: String::new(), depth: 1 };
+    let mut unread = VecDeque::from([top_folder]);
     while let Some(folder) = unread.pop_front() {
         let entries = match read_entries(&folder.path, entries_left) {
             Ok(entries) => entries,
             Err(reason) => {
                 let is_top = folder.printable_path.is_empty();
                 let name = if is_top { "the folder".to_owned() } else { folder.printable_path };
-                not_looked_at.add(name, reason);
+                skipped_paths.add(name, reason);
                 continue;
             }
         };
@@ -158,16 +159,16 @@ pub(crate) fn find_files(student: &StudentFolder) -> Contents {
             let printable_path = format!("{}{}", folder.printable_path, printable_name(&name));
             let is_tool_folder = TOOL_FOLDERS.iter().any(|tool| name == *tool);
             match entry.file_type() {
-                Err(_) => not_looked_at.add(printable_path, SkipReason::Unreadable),
+                Err(_) => skipped_paths.add(printable_path, SkipReason::Unreadable),
                 Ok(kind) if kind.is_symlink() => {
-                    not_looked_at.add(printable_path, SkipReason::Link);
+                    skipped_paths.add(printable_path, SkipReason::Link);
                 }
                 Ok(kind) if !kind.is_dir() => files.push(FoundFile { path, printable_path }),
                 Ok(_) if is_tool_folder => {
-                    not_looked_at.add(printable_path + "/", SkipReason::ToolFolder);
+                    skipped_paths.add(printable_path + "/", SkipReason::ToolFolder);
                 }
                 Ok(_) if folder.depth == MAX_DEPTH => {
-                    not_looked_at.add(printable_path + "/", SkipReason::TooDeep);
+                    skipped_paths.add(printable_path + "/", SkipReason::TooDeep);
                 }
                 Ok(_) => {
                     let (printable_path, depth) = (printable_path + "/", folder.depth + 1);
@@ -176,7 +177,7 @@ pub(crate) fn find_files(student: &StudentFolder) -> Contents {
             }
         }
     }
-    Contents { files, not_looked_at }
+    Contents { files, skipped_paths }
 }
 
 /// Reads the entries of a folder that was given on the command line.
@@ -188,13 +189,13 @@ fn read_top_folder(folder: &Path) -> Result<Vec<DirEntry>, FolderError> {
     })
 }
 
-/// Reads the entries of a folder, sorted by name. If there are more than `most`, returns an error:
-/// the first ones would be an arbitrary choice, since the file system decides on the order.
-fn read_entries(folder: &Path, most: usize) -> Result<Vec<DirEntry>, SkipReason> {
-    let entries = fs::read_dir(folder).map_err(|_| SkipReason::Unreadable)?;
-    let entries: Result<Vec<_>, _> = entries.take(most + 1).collect();
-    let mut entries = entries.map_err(|_| SkipReason::Unreadable)?;
-    if entries.len() > most {
+/// Reads the entries of a folder, sorted by name. If there are more than `max_entries`, returns an
+/// error: the first ones would be an arbitrary choice, since the file system decides on the order.
+fn read_entries(folder: &Path, max_entries: usize) -> Result<Vec<DirEntry>, SkipReason> {
+    let mut entries = fs::read_dir(folder)
+        .and_then(|entries| entries.take(max_entries + 1).collect::<io::Result<Vec<_>>>())
+        .map_err(|_| SkipReason::Unreadable)?;
+    if entries.len() > max_entries {
         return Err(SkipReason::TooManyEntries);
     }
     entries.sort_by_key(DirEntry::file_name);
@@ -218,14 +219,14 @@ mod tests {
 
     #[test]
     #[cfg(unix)]
-    fn names_that_are_not_utf8_stay_apart() {
+    fn names_that_are_not_utf8_stay_distinct() {
         use std::os::unix::ffi::OsStrExt;
         let names = [b"J\x94rg", b"J\x81rg"].map(|bytes| printable_name(OsStr::from_bytes(bytes)));
         assert_eq!(names, ["J\\x94rg", "J\\x81rg"]);
     }
 
     #[test]
-    fn files_that_may_be_pictures_are_known_by_the_end_of_their_name() {
+    fn files_that_may_be_pictures_are_recognised_by_their_extension() {
         let file = |path: &str| FoundFile { path: path.into(), printable_path: path.to_owned() };
         for path in ["a.png", "b/c.JPEG", "d.old.svg"] {
             assert!(file(path).may_be_picture(), "{path}");

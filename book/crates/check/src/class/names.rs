@@ -31,8 +31,13 @@ pub fn read_names(list: &Path) -> Result<Vec<String>, NamesError> {
     let Ok(text) = String::from_utf8(read_bounded_file(list)?) else {
         return Err(NamesError::NotUtf8(printable));
     };
-    let names = text.trim_start_matches('\u{feff}').lines().map(str::trim);
-    let names: Vec<_> = names.filter(|name| !name.is_empty()).map(normalize_name).collect();
+    let names: Vec<_> = text
+        .trim_start_matches('\u{feff}')
+        .lines()
+        .map(str::trim)
+        .filter(|name| !name.is_empty())
+        .map(normalize_name)
+        .collect();
     match names.len() {
         0 => Err(NamesError::Empty(printable)),
         1..=MAX_ENTRIES => Ok(names),
@@ -68,12 +73,12 @@ impl DuplicateNames {
 }
 
 /// A list of names, and whether each has a folder.
-pub(crate) struct NamedFolders<'a> {
+pub(crate) struct ListedNames<'a> {
     names: &'a [String],
     has_folder: HashMap<&'a str, bool>,
 }
 
-impl<'a> NamedFolders<'a> {
+impl<'a> ListedNames<'a> {
     pub fn new(names: &'a [String], students: &[StudentFolder]) -> Self {
         let mut has_folder: HashMap<_, _> = names.iter().map(|name| (&**name, false)).collect();
         for name in students.iter().filter_map(normalized_folder_name) {
@@ -92,9 +97,8 @@ impl<'a> NamedFolders<'a> {
     }
 
     /// The names without a folder, in the order of the list.
-    pub fn absent(&self) -> impl Iterator<Item = &'a str> {
-        let names = self.names.iter().map(|name| &**name);
-        names.filter(|name| !self.has_folder[name])
+    pub fn names_without_folder(&self) -> impl Iterator<Item = &'a str> {
+        self.names.iter().map(String::as_str).filter(|name| !self.has_folder[name])
     }
 }
 
@@ -107,7 +111,7 @@ mod tests {
     }
 
     #[test]
-    fn names_are_equal_in_each_unicode_form() {
+    fn names_in_different_unicode_forms_are_equal() {
         assert_eq!(normalize_name("Do\u{308}ra"), "D\u{f6}ra");
         let students = [student("Do\u{308}ra"), student("D\u{f6}ra"), student("Bob")];
         let duplicates = DuplicateNames::new(&students);
@@ -117,13 +121,14 @@ mod tests {
     }
 
     #[test]
-    fn folder_without_a_name_and_name_without_a_folder_are_found() {
+    fn folder_not_in_the_list_and_name_without_a_folder_are_found() {
         let names = ["Ada", "D\u{f6}ra"].map(str::to_owned);
         let students = [student("Do\u{308}ra"), student("Bob")];
-        let named = NamedFolders::new(&names, &students);
+        let listed_names = ListedNames::new(&names, &students);
         assert!(
-            students.each_ref().map(|student| named.note(student)) == [None, Some(Note::NotInList)]
+            students.each_ref().map(|student| listed_names.note(student))
+                == [None, Some(Note::NotInList)]
         );
-        assert_eq!(named.absent().collect::<Vec<_>>(), ["Ada"]);
+        assert_eq!(listed_names.names_without_folder().collect::<Vec<_>>(), ["Ada"]);
     }
 }

@@ -3,7 +3,7 @@
 
 use crate::Verdict;
 use crate::class::feedback::FileVerdict;
-use crate::class::not_looked_at::NotLookedAt;
+use crate::class::skipped_paths::SkippedPaths;
 use crate::class::student::{FileReport, Note, PictureReport, StudentReport};
 use crate::class::table::align;
 use course::json;
@@ -15,14 +15,14 @@ const MISSING: &str = "missing";
 #[derive(Debug)]
 pub struct ClassReport {
     pub(crate) students: Vec<StudentReport>,
-    /// What else is in the class's folder.
-    pub(crate) not_looked_at: NotLookedAt,
+    /// Everything in the class's folder that isn't a student's folder.
+    pub(crate) skipped_paths: SkippedPaths,
 }
 
 /// The report on a reader's own pictures.
 #[derive(Debug)]
 pub struct OwnReport {
-    pub(crate) own: StudentReport,
+    pub(crate) report: StudentReport,
 }
 
 impl ClassReport {
@@ -30,10 +30,10 @@ impl ClassReport {
     /// is a note on a student. If not, it is 1 if a picture that counts towards the points hasn't
     /// earned its point, and 0 if all have.
     pub fn exit_code(&self) -> u8 {
-        if !self.not_looked_at.is_empty() || self.students.iter().any(needs_a_person) {
+        if !self.skipped_paths.is_empty() || self.students.iter().any(needs_a_person) {
             2
         } else {
-            self.students.iter().any(|student| student.points() < student.most_points()).into()
+            self.students.iter().any(|student| student.points() < student.max_points()).into()
         }
     }
 
@@ -43,7 +43,7 @@ impl ClassReport {
         let head = ["student", "points", "picture", "verdict", "feedback"];
         let mut rows = vec![head.map(str::to_owned).to_vec()];
         for student in &self.students {
-            let points = format!("{} of {}", student.points(), student.most_points());
+            let points = format!("{} of {}", student.points(), student.max_points());
             let feedback = student_feedback(student);
             rows.push(vec![student.name.clone(), points, String::new(), String::new(), feedback]);
             rows.extend(rows_of_student(student).into_iter().map(|row| {
@@ -51,9 +51,9 @@ impl ClassReport {
                 vec![String::new(), String::new(), row.picture, row.verdict, feedback]
             }));
         }
-        let beside = self.not_looked_at.clause();
-        let beside = beside.map(|clause| format!("\nBeside the students' folders, {clause}\n"));
-        align(&rows) + &beside.unwrap_or_default()
+        let skipped = self.skipped_paths.clause();
+        let sentence = skipped.map(|clause| format!("\nBeside the students' folders, {clause}\n"));
+        align(&rows) + &sentence.unwrap_or_default()
     }
 
     /// Formats the report for a spreadsheet, which recognises UTF-8 by the byte order mark at the
@@ -65,7 +65,7 @@ impl ClassReport {
             rows.push(CsvRow {
                 student: student.name.clone(),
                 points: Some(student.points()),
-                most_points: Some(student.most_points()),
+                max_points: Some(student.max_points()),
                 feedback: student_feedback(student),
                 ..CsvRow::default()
             });
@@ -79,7 +79,7 @@ impl ClassReport {
                 ..CsvRow::default()
             }));
         }
-        rows.extend(self.not_looked_at.clause().map(|clause| CsvRow {
+        rows.extend(self.skipped_paths.clause().map(|clause| CsvRow {
             feedback: format!("beside the students' folders, {clause}"),
             ..CsvRow::default()
         }));
@@ -95,19 +95,19 @@ impl ClassReport {
                 json::object([
                     ("student", json::quote(&student.name)),
                     ("points", student.points().to_string()),
-                    ("of", student.most_points().to_string()),
+                    ("of", student.max_points().to_string()),
                     (
                         "notes",
-                        json::list(student.notes.iter().map(|note| json::quote(&note.words())))
+                        json::list(student.notes.iter().map(|note| json::quote(&note.clause())))
                     ),
-                    ("not_looked_at", not_looked_at_json(&student.not_looked_at)),
+                    ("not_looked_at", skipped_paths_json(&student.skipped_paths)),
                     ("pictures", pictures_json(student)),
                 ])
             )
         });
         json::object([
             ("students", json::list(students)),
-            ("not_looked_at", not_looked_at_json(&self.not_looked_at)),
+            ("not_looked_at", skipped_paths_json(&self.skipped_paths)),
         ])
     }
 }
@@ -116,43 +116,43 @@ impl OwnReport {
     /// The program's exit code. It is 2 if there are no pictures, or if one is missing or
     /// unreadable. If not, it is 1 if a picture that counts isn't right, and 0 if all are.
     pub fn exit_code(&self) -> u8 {
-        if self.own.pictures.is_empty() || has_missing_or_unreadable(&self.own) {
+        if self.report.pictures.is_empty() || has_missing_or_unreadable(&self.report) {
             2
         } else {
-            (self.right_count() < self.own.most_points()).into()
+            (self.right_count() < self.report.max_points()).into()
         }
     }
 
     /// Formats the report for a terminal: a row for each file and each missing picture.
     pub fn to_table(&self) -> String {
-        let Self { own } = self;
-        let beside = own.not_looked_at.clause();
-        let beside = beside.map(|clause| clause + "\n").unwrap_or_default();
-        if own.pictures.is_empty() {
-            return format!("There are no pictures of the course here.\n{beside}");
+        let Self { report } = self;
+        let skipped = report.skipped_paths.clause().map(|clause| clause + "\n").unwrap_or_default();
+        if report.pictures.is_empty() {
+            return format!("There are no pictures of the course here.\n{skipped}");
         }
         let head = ["picture", "verdict", "feedback"].map(str::to_owned);
-        let rows = rows_of_student(own)
-            .into_iter()
-            .map(|row| [row.picture.clone(), row.verdict.clone(), row.feedback_with_file()]);
-        let rows: Vec<_> = [head].into_iter().chain(rows).map(Vec::from).collect();
-        let count = format!("{} of {} are right.\n", self.right_count(), own.most_points());
-        align(&rows) + "\n" + &count + &beside
+        let mut rows = vec![head.to_vec()];
+        rows.extend(rows_of_student(report).into_iter().map(|row| {
+            let feedback = row.feedback_with_file();
+            vec![row.picture, row.verdict, feedback]
+        }));
+        let count = format!("{} of {} are right.\n", self.right_count(), report.max_points());
+        align(&rows) + "\n" + &count + &skipped
     }
 
     /// Formats the report as JSON.
     pub fn to_json(&self) -> String {
         json::object([
-            ("pictures", pictures_json(&self.own)),
-            ("not_looked_at", not_looked_at_json(&self.own.not_looked_at)),
+            ("pictures", pictures_json(&self.report)),
+            ("not_looked_at", skipped_paths_json(&self.report.skipped_paths)),
         ])
     }
 
     fn right_count(&self) -> usize {
-        let counted = self.own.pictures.iter().filter(|picture| picture.counts);
         let is_right =
             |file: &FileReport| file.feedback.verdict == FileVerdict::Compared(Verdict::Right);
-        counted
+        self.report
+            .counted_pictures()
             .filter(|picture| !picture.files.is_empty() && picture.files.iter().all(is_right))
             .count()
     }
@@ -175,10 +175,9 @@ impl PictureRow {
     /// does so if the file is in a subfolder, since a person should notice when a student's folder
     /// really holds the work of several students.
     fn feedback_with_file(&self) -> String {
-        let file = self.file.as_deref();
-        let file = file.filter(|file| self.is_one_of_several || file.contains('/'));
-        let parts = [file.unwrap_or_default(), &self.feedback];
-        let parts = parts.into_iter().filter(|part| !part.is_empty());
+        let needs_path = |path: &&str| self.is_one_of_several || path.contains('/');
+        let path = self.file.as_deref().filter(needs_path).unwrap_or_default();
+        let parts = [path, &self.feedback].into_iter().filter(|part| !part.is_empty());
         parts.collect::<Vec<_>>().join(": ")
     }
 }
@@ -189,7 +188,7 @@ fn rows_of_student(student: &StudentReport) -> Vec<PictureRow> {
 }
 
 fn rows_of_picture(picture: &PictureReport) -> Vec<PictureRow> {
-    let point = picture.counts.then(|| picture.earns_point().into());
+    let point = picture.is_counted.then(|| picture.earns_point().into());
     let name = picture.picture.to_owned();
     if picture.files.is_empty() {
         return vec![PictureRow {
@@ -215,7 +214,7 @@ fn rows_of_picture(picture: &PictureReport) -> Vec<PictureRow> {
 fn pictures_json(student: &StudentReport) -> String {
     let pictures = student.pictures.iter().map(|picture| {
         let mut fields = vec![("picture", json::quote(picture.picture))];
-        if picture.counts {
+        if picture.is_counted {
             fields.push(("point", u8::from(picture.earns_point()).to_string()));
         }
         fields.push(("files", json::list(picture.files.iter().map(file_json))));
@@ -234,15 +233,15 @@ fn file_json(file: &FileReport) -> String {
     format!("\n      {}", json::object(fields))
 }
 
-fn not_looked_at_json(not_looked_at: &NotLookedAt) -> String {
-    let first = not_looked_at.first.iter().map(|file| json::quote(&file.to_string()));
-    json::object([("count", not_looked_at.count.to_string()), ("first", json::list(first))])
+fn skipped_paths_json(skipped_paths: &SkippedPaths) -> String {
+    let first = skipped_paths.first.iter().map(|file| json::quote(&file.to_string()));
+    json::object([("count", skipped_paths.count.to_string()), ("first", json::list(first))])
 }
 
 /// Returns the notes on a student, and a clause about what was skipped.
 fn student_feedback(student: &StudentReport) -> String {
-    let notes = student.notes.iter().map(|note: &Note| note.words());
-    let clauses = notes.chain(student.not_looked_at.clause());
+    let notes = student.notes.iter().map(|note: &Note| note.clause());
+    let clauses = notes.chain(student.skipped_paths.clause());
     clauses.collect::<Vec<_>>().join("; ")
 }
 
@@ -250,7 +249,7 @@ fn student_feedback(student: &StudentReport) -> String {
 /// skipped, or there is a note on it.
 fn needs_a_person(student: &StudentReport) -> bool {
     !student.notes.is_empty()
-        || !student.not_looked_at.is_empty()
+        || !student.skipped_paths.is_empty()
         || has_missing_or_unreadable(student)
 }
 
@@ -268,7 +267,7 @@ struct CsvRow {
     student: String,
     /// A student's points, and the maximum.
     points: Option<usize>,
-    most_points: Option<usize>,
+    max_points: Option<usize>,
     picture: String,
     /// The point for a picture: 1 or 0.
     point: Option<u8>,
@@ -279,14 +278,14 @@ struct CsvRow {
 
 impl CsvRow {
     fn to_line(&self) -> String {
-        let number =
+        let number_cell =
             |number: Option<usize>| number.map(|number| number.to_string()).unwrap_or_default();
         let cells = [
             csv_text_cell(&self.student),
-            number(self.points),
-            number(self.most_points),
+            number_cell(self.points),
+            number_cell(self.max_points),
             csv_text_cell(&self.picture),
-            number(self.point.map(usize::from)),
+            number_cell(self.point.map(usize::from)),
             csv_text_cell(&self.verdict),
             csv_text_cell(&self.feedback),
             csv_text_cell(&self.file),

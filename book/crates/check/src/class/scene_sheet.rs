@@ -65,7 +65,7 @@ struct Sheet {
 
 /// The pixel that a sheet's problems ask about.
 struct ProblemPixel {
-    pixel: (u32, u32),
+    position: (u32, u32),
     ray: Ray,
     /// The first hit on each ball that the ray meets, in the order of the scene.
     balls: Vec<ObjectHit>,
@@ -85,7 +85,7 @@ pub fn format_sheet(name: &str, secret: Option<&str>) -> String {
 pub fn write_sheets(
     names: &[String],
     secret: Option<&str>,
-    has_answers: bool,
+    with_answers: bool,
     folder: &Path,
 ) -> Result<String, SheetError> {
     let mut files = vec![];
@@ -105,7 +105,7 @@ pub fn write_sheets(
     }
     let text = html_page("sheets", sheets.iter().map(Sheet::to_html));
     files.push(NewFile { name: SHEETS_FILE.to_owned(), text });
-    if has_answers {
+    if with_answers {
         let text = html_page("answers", sheets.iter().map(Sheet::answers_to_html));
         files.push(NewFile { name: ANSWERS_FILE.to_owned(), text });
     }
@@ -126,8 +126,9 @@ impl Sheet {
             None => name.to_owned(),
         };
         let scene = StepScene::of_name(&scene_name);
-        let tables = [Owner::Object, Owner::Light, Owner::Scene];
-        let tables: Vec<_> = tables.iter().map(|owner| number_table(&scene, *owner)).collect();
+        let tables = [Owner::Object, Owner::Light, Owner::Scene]
+            .map(|owner| number_table(&scene, owner))
+            .to_vec();
         let (columns, rows) = (camera().h_res, camera().v_res);
         let instructions = [
             format!(
@@ -225,16 +226,16 @@ fn find_problem_pixel(scene: &StepScene, pixels_to_skip: usize) -> Option<Proble
     find(2, 2).or_else(|| find(1, 2)).or_else(|| find(1, 1))
 }
 
-/// Finds the balls on a ray. Returns None if the ray doesn't show a ball. Also returns None if it
-/// grazes one: there, the discriminant D is small and has fewer significant digits, so rounding on
-/// paper would spoil the answer.
-fn problem_pixel_of_ray(scene: &StepScene, pixel: (u32, u32), ray: Ray) -> Option<ProblemPixel> {
+/// Returns the pixel with all the balls that its ray meets. Returns None if the ray doesn't show a
+/// ball. Also returns None if the ray grazes one: there, the discriminant D is small and has fewer
+/// significant digits, so rounding on paper would spoil the answer.
+fn problem_pixel_of_ray(scene: &StepScene, position: (u32, u32), ray: Ray) -> Option<ProblemPixel> {
     let objects = &scene.own.scene.objects;
     let is_ball = |hit: &ObjectHit| hit.object != GROUND;
     let visible = scene.visible_hit(&ray).filter(is_ball)?;
     let balls: Vec<_> = scene.object_hits(&ray).filter(is_ball).collect();
     let is_clear = |hit: &ObjectHit| discriminant(&objects[hit.object].sphere, &ray) > 0.5;
-    balls.iter().all(is_clear).then_some(ProblemPixel { pixel, ray, balls, visible })
+    balls.iter().all(is_clear).then_some(ProblemPixel { position, ray, balls, visible })
 }
 
 impl ProblemPixel {
@@ -255,7 +256,7 @@ impl ProblemPixel {
     /// Returns the problems, and their answers in the same order.
     fn problems_and_answers(&self, scene: &StepScene) -> (Vec<String>, Vec<String>) {
         let (objects, lights) = (&scene.own.scene.objects, &scene.own.scene.lights);
-        let Self { pixel: (i, j), ray, balls, visible } = self;
+        let Self { position: (i, j), ray, balls, visible } = self;
         let name = |hit: &ObjectHit| objects[hit.object].name;
         let names: Vec<_> = balls.iter().map(name).collect();
         let nearest = match names.len() {
@@ -344,7 +345,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn name_of_a_file_has_nothing_that_systems_refuse() {
+    fn file_name_has_no_characters_that_file_systems_reject() {
         assert_eq!(file_name("Ada Lövelace"), "Ada Lövelace.md");
         assert_eq!(file_name("../a\\b:c\n?"), "___a_b_c__.md");
     }
@@ -355,7 +356,7 @@ mod tests {
     }
 
     #[test]
-    fn table_has_a_row_of_heads_and_numbers_as_in_rust() {
+    fn table_has_headings_and_numbers_as_typed_in_rust() {
         let table = number_table(&StepScene::of_name("ada"), Owner::Object);
         assert_eq!(table[0], ["", "the position", "the radius", "R_s", "n", "the colour"]);
         assert_eq!(table[1][..3], ["ball 1", "(0.65, -0.3, -7.4)", "1.06"]);

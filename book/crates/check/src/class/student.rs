@@ -2,7 +2,7 @@
 
 use crate::class::feedback::{Feedback, judge};
 use crate::class::folder::{Contents, FoundFile};
-use crate::class::not_looked_at::{NotLookedAt, SkipReason};
+use crate::class::skipped_paths::{SkipReason, SkippedPaths};
 use crate::target::find_name_in_file_name;
 use crate::{Answer, CheckError, check_png, escape_for_terminal, read_bounded_file};
 use course::{names_of_right_pictures, read_locked_picture};
@@ -17,7 +17,7 @@ pub(crate) struct StudentReport {
     pub name: String,
     pub pictures: Vec<PictureReport>,
     pub notes: Vec<Note>,
-    pub not_looked_at: NotLookedAt,
+    pub skipped_paths: SkippedPaths,
 }
 
 /// The report on one of a student's pictures.
@@ -25,8 +25,8 @@ pub(crate) struct StudentReport {
 pub(crate) struct PictureReport {
     /// The name of the picture.
     pub picture: &'static str,
-    /// Whether the picture counts towards the score. If no picture is required, all count.
-    pub counts: bool,
+    /// Whether the picture counts towards the points. If no picture is required, all count.
+    pub is_counted: bool,
     /// The files named after this picture that were checked. If there are none, the picture is
     /// missing.
     pub files: Vec<FileReport>,
@@ -53,8 +53,8 @@ pub(crate) enum Note {
 }
 
 impl Note {
-    /// The note, worded as a clause.
-    pub fn words(self) -> String {
+    /// The note as a clause.
+    pub fn clause(self) -> String {
         match self {
             Self::NothingHandedIn => "nothing was handed in".to_owned(),
             Self::NoFolder => "no folder has this name".to_owned(),
@@ -72,7 +72,7 @@ impl StudentReport {
     pub fn without_folder(name: &str, required: &[&'static str]) -> Self {
         let missing = |picture: &&'static str| PictureReport {
             picture,
-            counts: true,
+            is_counted: true,
             files: vec![],
             file_count: 0,
         };
@@ -80,7 +80,7 @@ impl StudentReport {
             name: escape_for_terminal(name),
             pictures: required.iter().map(missing).collect(),
             notes: vec![Note::NoFolder],
-            not_looked_at: NotLookedAt::default(),
+            skipped_paths: SkippedPaths::default(),
         }
     }
 
@@ -90,12 +90,12 @@ impl StudentReport {
     }
 
     /// The maximum number of points: the number of counted pictures.
-    pub fn most_points(&self) -> usize {
+    pub fn max_points(&self) -> usize {
         self.counted_pictures().count()
     }
 
-    fn counted_pictures(&self) -> impl Iterator<Item = &PictureReport> {
-        self.pictures.iter().filter(|picture| picture.counts)
+    pub fn counted_pictures(&self) -> impl Iterator<Item = &PictureReport> {
+        self.pictures.iter().filter(|picture| picture.is_counted)
     }
 }
 
@@ -114,17 +114,21 @@ pub(crate) fn check_student(
     contents: Contents,
     required: &[&'static str],
 ) -> StudentReport {
-    let Contents { files, mut not_looked_at } = contents;
-    let is_empty = files.is_empty() && not_looked_at.is_empty();
-    let named: Vec<_> = files.iter().map(|file| (file, picture_of_file(file))).collect();
-    for (file, _) in named.iter().filter(|(_, picture)| picture.is_none()) {
-        not_looked_at.add(file.printable_path.clone(), SkipReason::OtherName);
+    let Contents { files, mut skipped_paths } = contents;
+    let is_empty = files.is_empty() && skipped_paths.is_empty();
+    let files_and_pictures: Vec<_> =
+        files.iter().map(|file| (file, picture_of_file(file))).collect();
+    for (file, _) in files_and_pictures.iter().filter(|(_, picture)| picture.is_none()) {
+        skipped_paths.add(file.printable_path.clone(), SkipReason::OtherName);
     }
     let mut pictures: Vec<PictureReport> = vec![];
     let mut notes = vec![];
     for picture in names_of_right_pictures() {
-        let files = named.iter().filter(|(_, name)| *name == Some(picture)).map(|(file, _)| *file);
-        let files: Vec<_> = files.collect();
+        let files: Vec<_> = files_and_pictures
+            .iter()
+            .filter(|(_, name)| *name == Some(picture))
+            .map(|(file, _)| *file)
+            .collect();
         let is_required = required.contains(&picture);
         if files.is_empty() && !is_required {
             continue;
@@ -133,19 +137,19 @@ pub(crate) fn check_student(
         let reports = checked.iter().map(|file| check_file(file, picture, &pictures)).collect();
         for file in beyond {
             let path = file.printable_path.clone();
-            not_looked_at.add(path, SkipReason::TooManyFilesOfPicture);
+            skipped_paths.add(path, SkipReason::TooManyFilesOfPicture);
         }
         if files.len() > 1 {
             notes.push(Note::SeveralFiles { picture, count: files.len() });
         }
-        let counts = is_required || required.is_empty();
+        let is_counted = is_required || required.is_empty();
         let file_count = files.len();
-        pictures.push(PictureReport { picture, counts, files: reports, file_count });
+        pictures.push(PictureReport { picture, is_counted, files: reports, file_count });
     }
     if is_empty {
         notes.push(Note::NothingHandedIn);
     }
-    StudentReport { name, pictures, notes, not_looked_at }
+    StudentReport { name, pictures, notes, skipped_paths }
 }
 
 /// Returns the picture that a file is named after, if the file may have been meant as a picture.
@@ -157,11 +161,11 @@ fn picture_of_file(file: &FoundFile) -> Option<&'static str> {
 
 /// Compares a file with the locked picture that it should equal.
 fn check_file(file: &FoundFile, picture: &'static str, earlier: &[PictureReport]) -> FileReport {
-    let png = read_bounded_file(&file.path).map_err(CheckError::from);
-    let result = png
-        .and_then(|png| check_png(&png, file.printable_name(), Some(picture), read_locked_picture));
-    // Keeping the pictures of a whole class would take too much memory.
-    let result = result.map(|answer| Answer { compared: None, ..answer });
+    let result = read_bounded_file(&file.path)
+        .map_err(CheckError::from)
+        .and_then(|png| check_png(&png, file.printable_name(), Some(picture), read_locked_picture))
+        // Keeping the pictures of a whole class would take too much memory.
+        .map(|answer| Answer { compared: None, ..answer });
     let feedback = judge(&result, earlier);
     FileReport { printable_path: file.printable_path.clone(), result, feedback }
 }
@@ -180,7 +184,7 @@ mod tests {
 
     fn earns_point(verdicts: &[FileVerdict], file_count: usize) -> bool {
         let files = verdicts.iter().copied().map(file).collect();
-        PictureReport { picture: "step01_rays", counts: true, files, file_count }.earns_point()
+        PictureReport { picture: "step01_rays", is_counted: true, files, file_count }.earns_point()
     }
 
     #[test]

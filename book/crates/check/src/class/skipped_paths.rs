@@ -8,7 +8,7 @@ const MAX_IN_CLAUSE: usize = 8;
 
 /// Everything that was skipped: the first few paths, and how many there are in all.
 #[derive(Debug, Default)]
-pub(crate) struct NotLookedAt {
+pub(crate) struct SkippedPaths {
     pub first: Vec<SkippedPath>,
     pub count: usize,
 }
@@ -35,7 +35,7 @@ pub(crate) enum SkipReason {
     Unreadable,
 }
 
-impl NotLookedAt {
+impl SkippedPaths {
     pub fn add(&mut self, printable_path: String, reason: SkipReason) {
         self.count += 1;
         if self.first.len() < MAX_LISTED {
@@ -82,8 +82,8 @@ mod tests {
     use super::*;
 
     #[test]
-    fn clause_has_first_what_has_a_reason_and_counts_the_rest() {
-        let mut skipped = NotLookedAt::default();
+    fn clause_begins_with_paths_that_have_a_reason_and_counts_the_rest() {
+        let mut skipped = SkippedPaths::default();
         assert_eq!(skipped.clause(), None);
         skipped.add("a.txt".to_owned(), SkipReason::OtherName);
         skipped.add("b".to_owned(), SkipReason::Link);
