@@ -27,7 +27,7 @@ const OPTIONS_FILE: &str = "steps/step01_rays/src/program.rs";
 const EXERCISE_NOTE: &str =
     "Ours is drawn without options: with some, a right program may draw a different picture.";
 
-const TESTS: &str = "cargo test --no-fail-fast --test by_hand";
+const TEST_COMMAND: &str = "cargo test --no-fail-fast --test by_hand";
 
 /// The number of rays that may be computed to try out changes.
 const MAX_RAYS: u32 = 4_000_000;
@@ -57,8 +57,8 @@ pub(crate) fn explain(yours: &ReaderPicture, target: &Target) -> Explanation {
             option_doubts: OptionDoubts::default(),
         };
     }
-    let mistakes = target.name.as_ref().map(|name| yours.find_mistakes_in(name));
-    let mistakes = mistakes.unwrap_or_default();
+    let mistakes =
+        target.name.as_ref().map(|name| yours.find_mistakes_for_target(name)).unwrap_or_default();
     let options = target.scene.as_ref().and_then(|scene| find_options(scene, &yours.rgb));
     // A listed mistake is likelier than an angle that hardly anybody would type.
     if let Some(options) = &options
@@ -67,23 +67,23 @@ pub(crate) fn explain(yours: &ReaderPicture, target: &Target) -> Explanation {
         return explain_options(options, title, mistakes);
     }
     let comparison = Comparison::new(target, &yours.rgb);
-    let whole = match yours.find_equal_locked_picture() {
+    let whole_picture = match yours.find_equal_locked_picture() {
         Some(name) => Some(format!("This is the picture of {name}, not {title}.")),
         None => describe_transformed_or_uniform(&yours.rgb, &target.picture, title),
     };
     let mut causes: Vec<_> = mistakes.into_iter().map(Cause::Mistake).collect();
-    if whole.is_none() {
+    if whole_picture.is_none() {
         causes.extend(comparison.iter().flat_map(find_unlisted_causes));
     }
-    let is_explained = whole.is_some() || !causes.is_empty();
+    let is_explained = whole_picture.is_some() || !causes.is_empty();
     let says_size =
-        comparison.is_none() && (whole.is_none() || uniform_colour(&yours.rgb).is_some());
+        comparison.is_none() && (whole_picture.is_none() || uniform_colour(&yours.rgb).is_some());
     let size = says_size.then(|| {
         let ((w, h), (columns, rows)) = (yours.rgb.dimensions(), target.picture.dimensions());
         format!("Your picture is {w}×{h} pixels, and {title} {columns}×{rows}.")
     });
     let is_exercise = target.scene.is_none();
-    let may_have_options = is_exercise && (whole.is_none() || says_size);
+    let may_have_options = is_exercise && (whole_picture.is_none() || says_size);
     let pixels = comparison.iter().flat_map(|comparison| {
         let facts = if is_explained { vec![] } else { find_facts(comparison) };
         describe_comparison(comparison, facts)
@@ -92,7 +92,7 @@ pub(crate) fn explain(yours: &ReaderPicture, target: &Target) -> Explanation {
     let mut lines = describe_causes(&causes, options.as_ref())
         .into_iter()
         .chain(size)
-        .chain(whole)
+        .chain(whole_picture)
         .chain(pixels)
         .chain(may_have_options.then(|| EXERCISE_NOTE.to_owned()));
     let headline = lines.next().unwrap_or_else(|| format!("This isn't {title}."));
@@ -142,19 +142,19 @@ fn describe_causes(causes: &[Cause], options: Option<&Options>) -> Vec<String> {
         (false, 1) => "A change gives",
         (false, _) => "Each of these changes gives",
     };
-    let words = causes.iter().map(Cause::to_string).collect();
-    let mut words = join_first(words, MAX_CAUSES, "; ");
+    let mut list = join_first(causes.iter().map(Cause::to_string).collect(), MAX_CAUSES, "; ");
     let (named, more) = causes.split_at(causes.len().min(MAX_CAUSES));
     let mut files: Vec<_> = more.iter().filter_map(Cause::file).collect();
     files.sort_unstable();
     files.dedup();
     files.retain(|file| named.iter().all(|cause| cause.file() != Some(file)));
     if !files.is_empty() {
-        words += &format!(", also in {}", files.join(", "));
+        list += &format!(", also in {}", files.join(", "));
     }
-    let options = options.map(|options| format!(" {}", options.same_picture_sentence()));
-    let options = options.unwrap_or_default();
-    let mut lines = vec![format!("{start} this very picture (others may, too): {words}.{options}")];
+    let options_sentence =
+        options.map(|options| format!(" {}", options.same_picture_sentence())).unwrap_or_default();
+    let mut lines =
+        vec![format!("{start} this very picture (others may, too): {list}.{options_sentence}")];
     if let Cause::Mistake(mistake) = first {
         lines.extend(describe_mistake(mistake));
     }
@@ -201,7 +201,7 @@ fn describe_comparison(comparison: &Comparison, facts: Vec<String>) -> Vec<Strin
             Step::Sphere => "steps 1 and 2".to_owned(),
             step => format!("steps 1 to {}", step.number()),
         };
-        lines.push(format!("The tests by hand of {steps} may find it: {TESTS}"));
+        lines.push(format!("The tests by hand of {steps} may find it: {TEST_COMMAND}"));
     }
     lines.extend(describe_most_different_pixel(comparison).lines().map(str::to_owned));
     lines

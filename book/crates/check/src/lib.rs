@@ -36,7 +36,6 @@ mod changed_number;
 mod check;
 mod class;
 mod comparison;
-
 mod explain;
 mod facts;
 mod number_format;

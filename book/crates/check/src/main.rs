@@ -78,7 +78,7 @@ type AnyError = Box<dyn Error + Send + Sync>;
 /// What the program is asked to do. Each task is a use of the program with options of its own.
 enum Task {
     /// `check FILE`: checks one picture.
-    CheckFile { file: PathBuf, expected: Expected },
+    CheckFile { file: PathBuf, expected: ExpectedPicture },
     /// `check`: checks the pictures of the course that are in the current folder. A picture that
     /// is required is reported even if it is missing.
     CheckFolder { required: Vec<&'static str> },
@@ -93,11 +93,11 @@ enum Task {
 }
 
 /// The picture that a file should be.
-enum Expected {
-    /// The locked picture with this name, or with the name of the file.
+enum ExpectedPicture {
+    /// The locked picture with this name. If it is None, `check_png` works out the name.
     Locked(Option<String>),
-    /// The picture of the scene of this student's name.
-    SceneOf(String),
+    /// The picture of the scene that is generated from this name.
+    SceneFromName(String),
 }
 
 impl Task {
@@ -112,10 +112,12 @@ impl Task {
         let names = names.as_deref().map(read_names).transpose()?;
         let required = required_names(&require);
         Ok(match (file, folder, out, scene) {
-            (Some(file), _, _, Some(owner)) => {
-                Self::CheckFile { file, expected: Expected::SceneOf(owner) }
+            (Some(file), _, _, Some(name)) => {
+                Self::CheckFile { file, expected: ExpectedPicture::SceneFromName(name) }
             }
-            (Some(file), _, _, None) => Self::CheckFile { file, expected: Expected::Locked(name) },
+            (Some(file), _, _, None) => {
+                Self::CheckFile { file, expected: ExpectedPicture::Locked(name) }
+            }
             (None, Some(folder), _, _) => Self::ReportOnClass { folder, students: names, required },
             (None, None, Some(folder), scene) => {
                 let names = names.into_iter().flatten().chain(scene).collect();
@@ -141,7 +143,7 @@ enum Output {
 
 /// The format of the output.
 #[derive(Clone, Copy)]
-enum Form {
+enum OutputFormat {
     /// Text for a terminal.
     Plain,
     Csv,
@@ -150,16 +152,16 @@ enum Form {
 
 impl Output {
     /// Formats the output. Only the report on a class has a CSV format.
-    fn format(&self, form: Form) -> String {
-        match (self, form) {
-            (Self::Answer(answer), Form::Json) => answer.to_json(),
+    fn format(&self, format: OutputFormat) -> String {
+        match (self, format) {
+            (Self::Answer(answer), OutputFormat::Json) => answer.to_json(),
             (Self::Answer(answer), _) => answer.to_string(),
-            (Self::ClassReport(report), Form::Json) => report.to_json(),
-            (Self::ClassReport(report), Form::Csv) => report.to_csv(),
-            (Self::ClassReport(report), Form::Plain) => report.to_table(),
-            (Self::OwnReport(report), Form::Json) => report.to_json(),
+            (Self::ClassReport(report), OutputFormat::Json) => report.to_json(),
+            (Self::ClassReport(report), OutputFormat::Csv) => report.to_csv(),
+            (Self::ClassReport(report), OutputFormat::Plain) => report.to_table(),
+            (Self::OwnReport(report), OutputFormat::Json) => report.to_json(),
             (Self::OwnReport(report), _) => report.to_table(),
-            (Self::Text(text), Form::Json) => json::object([("text", json::quote(text))]),
+            (Self::Text(text), OutputFormat::Json) => json::object([("text", json::quote(text))]),
             (Self::Text(text), _) => text.clone(),
         }
     }
@@ -180,21 +182,23 @@ fn main() -> ExitCode {
         Err(error) if error.use_stderr() => return print_usage_error(&error),
         Err(error) => error.exit(),
     };
-    let form = match &arguments {
-        Arguments { json: true, .. } => Form::Json,
-        Arguments { csv: true, .. } => Form::Csv,
-        _ => Form::Plain,
+    let format = match &arguments {
+        Arguments { json: true, .. } => OutputFormat::Json,
+        Arguments { csv: true, .. } => OutputFormat::Csv,
+        _ => OutputFormat::Plain,
     };
     // Write errors are ignored: whatever reads our output may have closed the pipe.
     match run_on_threads(|| Task::from_arguments(arguments).and_then(run)) {
         Ok(output) => {
-            let _ = writeln!(io::stdout(), "{}", output.format(form).trim_end());
+            let _ = writeln!(io::stdout(), "{}", output.format(format).trim_end());
             output.exit_code().into()
         }
         Err(error) => {
-            let _ = match form {
-                Form::Json => writeln!(io::stdout(), "{}", error_to_json(&error.to_string())),
-                Form::Plain | Form::Csv => writeln!(io::stderr(), "error: {error}"),
+            let _ = match format {
+                OutputFormat::Json => {
+                    writeln!(io::stdout(), "{}", error_to_json(&error.to_string()))
+                }
+                OutputFormat::Plain | OutputFormat::Csv => writeln!(io::stderr(), "error: {error}"),
             };
             FAILURE_EXIT_CODE.into()
         }
@@ -203,8 +207,7 @@ fn main() -> ExitCode {
 
 /// Prints a usage error, as JSON if `--json` is among the arguments.
 fn print_usage_error(error: &clap::Error) -> ExitCode {
-    let text = error.to_string();
-    let lines: Vec<_> = text.trim_end().lines().map(escape_for_terminal).collect();
+    let lines: Vec<_> = error.to_string().trim_end().lines().map(escape_for_terminal).collect();
     let text = lines.join("\n");
     let is_json = env::args_os().any(|argument| argument == "--json");
     let _ = match is_json {
@@ -221,7 +224,9 @@ fn error_to_json(message: &str) -> String {
 /// Carries out the task.
 fn run(task: Task) -> Result<Output, AnyError> {
     Ok(match task {
-        Task::CheckFile { file, expected } => Output::Answer(check_file(&file, &expected)?),
+        Task::CheckFile { file, expected } => {
+            Output::Answer(check_file_and_save_difference(&file, &expected)?)
+        }
         Task::CheckFolder { required } => {
             Output::OwnReport(report_on_own_pictures(Path::new("."), &required)?)
         }
@@ -244,13 +249,16 @@ fn required_names(require: &[String]) -> Vec<&'static str> {
 }
 
 /// Checks one picture. If there is a difference to show, saves a picture of it.
-fn check_file(file: &Path, expected: &Expected) -> Result<Answer, CheckError> {
+fn check_file_and_save_difference(
+    file: &Path,
+    expected: &ExpectedPicture,
+) -> Result<Answer, CheckError> {
     let (png, file_name) = (read_bounded_file(file)?, file.display().to_string());
     let mut answer = match expected {
-        Expected::Locked(name) => {
+        ExpectedPicture::Locked(name) => {
             check_png(&png, &file_name, name.as_deref(), read_locked_picture)?
         }
-        Expected::SceneOf(owner) => check_scene_png(&png, &file_name, owner)?,
+        ExpectedPicture::SceneFromName(name) => check_scene_png(&png, &file_name, name)?,
     };
     if let Some(difference) = answer.draw_comparison() {
         answer.details.push(save_difference(&difference, file));
@@ -265,9 +273,9 @@ fn save_difference(difference: &RgbImage, file: &Path) -> String {
     let path = folder.join(file.with_extension("difference.png").file_name().unwrap_or_default());
     let result = fs::create_dir_all(folder)
         .and_then(|()| course::replace_file(&path, &course::encode_png(difference)));
-    let path = escape_for_terminal(&path.display().to_string());
+    let printable_path = escape_for_terminal(&path.display().to_string());
     match result {
-        Ok(()) => format!("Yours, ours and the difference, side by side: {path}"),
-        Err(error) => format!("{path} can't be written: {error}"),
+        Ok(()) => format!("Yours, ours and the difference, side by side: {printable_path}"),
+        Err(error) => format!("{printable_path} can't be written: {error}"),
     }
 }

@@ -125,8 +125,8 @@ pub(crate) fn read_png(file: &[u8]) -> Result<DecodedPng, PngError> {
     if file.len() as u64 > MAX_FILE_BYTES {
         return Err(PngError::TooManyBytes);
     }
-    if let Some(format) = find_other_format(file) {
-        return Err(PngError::OtherFormat(format));
+    if let Some(clause) = other_format_clause(file) {
+        return Err(PngError::OtherFormat(clause));
     }
     let limits = Limits { bytes: MAX_FILE_BYTES as usize };
     let mut decoder = Decoder::new_with_limits(Cursor::new(file), limits);
@@ -166,8 +166,8 @@ pub(crate) fn read_png(file: &[u8]) -> Result<DecodedPng, PngError> {
 fn describe_unusual_features(info: &Info) -> Vec<String> {
     let mut notes = vec![];
     if info.color_type == ColorType::Indexed {
-        let most_colours = 1_u32 << info.bit_depth as u8;
-        notes.push(format!("The file has a palette, with at most {most_colours} colours."));
+        let max_colours = 1_u32 << info.bit_depth as u8;
+        notes.push(format!("The file has a palette, with at most {max_colours} colours."));
     }
     if matches!(info.color_type, ColorType::Grayscale | ColorType::GrayscaleAlpha) {
         notes.push("The file is grey and holds no colours.".to_owned());
@@ -196,7 +196,7 @@ fn round_samples(bytes: &[u8]) -> Vec<u8> {
 
 /// The pixels that are not opaque.
 #[derive(Default)]
-struct Transparent {
+struct TransparentPixels {
     count: usize,
     /// The index of the first one, counted row by row.
     first: Option<usize>,
@@ -204,12 +204,12 @@ struct Transparent {
 
 /// Separates the samples into the red, green and blue of each pixel, and a record of the pixels
 /// that aren't opaque.
-fn split_alpha(samples: Vec<u8>, colour_type: ColorType) -> (Vec<u8>, Transparent) {
-    let mut transparent = Transparent::default();
-    let mut note_alpha = |number: usize, alpha: u8| {
+fn split_alpha(samples: Vec<u8>, colour_type: ColorType) -> (Vec<u8>, TransparentPixels) {
+    let mut transparent = TransparentPixels::default();
+    let mut note_alpha = |index: usize, alpha: u8| {
         if alpha < 255 {
             transparent.count += 1;
-            transparent.first.get_or_insert(number);
+            transparent.first.get_or_insert(index);
         }
     };
     let rgb = match colour_type {
@@ -217,16 +217,16 @@ fn split_alpha(samples: Vec<u8>, colour_type: ColorType) -> (Vec<u8>, Transparen
         ColorType::Grayscale => samples.iter().flat_map(|grey| [*grey; 3]).collect(),
         ColorType::GrayscaleAlpha => {
             let pixels = samples.chunks_exact(2).enumerate();
-            let rgb = pixels.flat_map(|(number, pixel)| {
-                note_alpha(number, pixel[1]);
+            let rgb = pixels.flat_map(|(index, pixel)| {
+                note_alpha(index, pixel[1]);
                 [pixel[0]; 3]
             });
             rgb.collect()
         }
         ColorType::Rgba => {
             let pixels = samples.chunks_exact(4).enumerate();
-            let rgb = pixels.flat_map(|(number, pixel)| {
-                note_alpha(number, pixel[3]);
+            let rgb = pixels.flat_map(|(index, pixel)| {
+                note_alpha(index, pixel[3]);
                 [pixel[0], pixel[1], pixel[2]]
             });
             rgb.collect()
@@ -237,14 +237,14 @@ fn split_alpha(samples: Vec<u8>, colour_type: ColorType) -> (Vec<u8>, Transparen
 
 /// Recognises the format of a file by its first bytes, ignoring case and leading whitespace.
 /// Returns a clause such as `a PDF; save the picture as PNG`, or None for a PNG file.
-fn find_other_format(file: &[u8]) -> Option<&'static str> {
+fn other_format_clause(file: &[u8]) -> Option<&'static str> {
     if file.starts_with(PNG) {
         return None;
     }
     let start = file.trim_ascii_start();
-    let is_format = |(first, bytes, _): &&(usize, &[u8], &str)| {
-        let found = start.get(*first..first + bytes.len());
-        found.is_some_and(|found| found.eq_ignore_ascii_case(bytes))
+    let is_format = |(offset, signature, _): &&(usize, &[u8], &str)| {
+        let found = start.get(*offset..offset + signature.len());
+        found.is_some_and(|found| found.eq_ignore_ascii_case(signature))
     };
     let format = FORMATS.iter().find(is_format).map(|(_, _, clause)| *clause);
     let clause = format.or_else(|| netpbm_clause(start)).or_else(|| bmp_clause(start));
@@ -257,9 +257,9 @@ fn find_other_format(file: &[u8]) -> Option<&'static str> {
 
 /// Recognises a Netpbm file, which starts with `P`, a digit, and whitespace or a comment.
 fn netpbm_clause(file: &[u8]) -> Option<&'static str> {
-    let [b'P', digit, behind, ..] = file else { return None };
+    let [b'P', digit, next, ..] = file else { return None };
     let number = digit.checked_sub(b'1')?;
-    let is_separate = behind.is_ascii_whitespace() || *behind == b'#';
+    let is_separate = next.is_ascii_whitespace() || *next == b'#';
     NETPBM.get(usize::from(number)).copied().filter(|_| is_separate)
 }
 
@@ -308,13 +308,13 @@ mod tests {
 
     #[test]
     fn format_is_recognised_by_its_first_bytes() {
-        assert_eq!(find_other_format(b"\x89PNG\r\n\x1a\n..."), None);
+        assert_eq!(other_format_clause(b"\x89PNG\r\n\x1a\n..."), None);
         assert_eq!(
-            find_other_format(b"\x89PNG\r\n"),
+            other_format_clause(b"\x89PNG\r\n"),
             Some("the beginning of a PNG file, and no more")
         );
-        assert_eq!(find_other_format(b"\n %pdf-1.7"), Some("a PDF; save the picture as PNG"));
-        assert_eq!(find_other_format(b"P"), Some("not a PNG file"));
+        assert_eq!(other_format_clause(b"\n %pdf-1.7"), Some("a PDF; save the picture as PNG"));
+        assert_eq!(other_format_clause(b"P"), Some("not a PNG file"));
         assert_eq!(netpbm_clause(b"P6#"), Some("a PPM picture (P6); save it as PNG"));
         assert_eq!(netpbm_clause(b"P0 1"), None);
         assert_eq!(netpbm_clause(b"P8 1"), None);
@@ -322,7 +322,7 @@ mod tests {
     }
 
     #[test]
-    fn file_with_too_many_bytes_is_not_looked_at() {
+    fn file_with_too_many_bytes_is_rejected_before_its_format_is_recognised() {
         let mut file = vec![b' '; MAX_FILE_BYTES as usize];
         assert!(matches!(read_png(&file), Err(PngError::OtherFormat(_))));
         file.push(b' ');

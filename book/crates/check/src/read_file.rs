@@ -58,13 +58,13 @@ enum FileContents {
     TooLarge,
 }
 
-fn read_at_most(path: &Path, most_bytes: u64) -> io::Result<FileContents> {
+fn read_at_most(path: &Path, max_bytes: u64) -> io::Result<FileContents> {
     if !fs::metadata(path)?.is_file() {
         return Ok(FileContents::NotAFile);
     }
     let mut bytes = vec![];
-    File::open(path)?.take(most_bytes + 1).read_to_end(&mut bytes)?;
-    let is_small = bytes.len() as u64 <= most_bytes;
+    File::open(path)?.take(max_bytes + 1).read_to_end(&mut bytes)?;
+    let is_small = bytes.len() as u64 <= max_bytes;
     Ok(if is_small { FileContents::Bytes(bytes) } else { FileContents::TooLarge })
 }
 
@@ -85,7 +85,7 @@ mod tests {
     fn only_a_file_within_the_limit_is_read() {
         let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("Cargo.toml");
         let length = fs::metadata(&file).expect("a file").len();
-        let read = |path: &Path, most| read_at_most(path, most).expect("it can be read");
+        let read = |path: &Path, max_bytes| read_at_most(path, max_bytes).expect("it can be read");
         assert!(
             matches!(read(&file, length), FileContents::Bytes(bytes) if bytes.len() as u64 == length)
         );
@@ -94,7 +94,7 @@ mod tests {
     }
 
     #[test]
-    fn escapes_what_a_terminal_obeys() {
+    fn characters_that_a_terminal_interprets_are_escaped() {
         assert_eq!(escape_for_terminal("Zoë/a b.png"), "Zoë/a b.png");
         assert_eq!(escape_for_terminal("\u{1b}[2J\u{202e}\n"), "\\u{1b}[2J\\u{202e}\\n");
     }

@@ -44,9 +44,10 @@ impl ReaderPicture {
         self.hash().map(find_mistakes_with_hash).unwrap_or_default()
     }
 
-    /// Finds the listed mistakes that produce this picture in place of the one called `name`.
-    pub fn find_mistakes_in(&self, name: &str) -> Vec<&'static Mistake> {
+    /// Finds the listed mistakes that produce this picture in place of the locked one called
+    /// `target_name`.
+    pub fn find_mistakes_for_target(&self, target_name: &str) -> Vec<&'static Mistake> {
         let mistakes = self.find_mistakes().into_iter();
-        mistakes.filter(|(_, drawn)| *drawn == name).map(|(mistake, _)| mistake).collect()
+        mistakes.filter(|(_, name)| *name == target_name).map(|(mistake, _)| mistake).collect()
     }
 }

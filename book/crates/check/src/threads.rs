@@ -7,12 +7,11 @@ use std::thread;
 /// start threads, it runs on the current one.
 pub fn run_on_threads<T: Send>(act: impl FnOnce() -> T + Send) -> T {
     let count = thread::available_parallelism().map_or(1, usize::from);
-    let alone = || ThreadPoolBuilder::new().num_threads(1).use_current_thread().build_global();
     match ThreadPoolBuilder::new().num_threads(count).build() {
         Ok(threads) => threads.install(act),
         Err(_) => {
-            // This fails only if rayon already has a global pool, which will do.
-            let _ = alone();
+            // This fails only if rayon already has a global pool. Then `act` uses that one.
+            let _ = ThreadPoolBuilder::new().num_threads(1).use_current_thread().build_global();
             act()
         }
     }
