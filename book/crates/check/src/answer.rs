@@ -77,28 +77,28 @@ impl Cause {
     }
 
     /// The cause in a few words.
-    fn words(&self) -> &str {
+    fn description(&self) -> &str {
         match self {
             Self::Mistake(mistake) => mistake.title,
-            Self::SceneNumber(words) | Self::Camera(words) => words,
+            Self::SceneNumber(description) | Self::Camera(description) => description,
         }
     }
 
     fn to_json(&self) -> String {
         let fields = [
-            ("cause", Some(self.words())),
+            ("cause", Some(self.description())),
             ("step", self.step().map(Step::name)),
             ("file", self.file()),
         ];
-        let fields = fields.into_iter();
-        json::object(fields.filter_map(|(name, value)| Some((name, json::quote(value?)))))
+        let known = fields.into_iter().filter_map(|(name, value)| Some((name, value?)));
+        json::object(known.map(|(name, value)| (name, json::quote(value))))
     }
 }
 
 /// Writes the words, followed by the file in parentheses if it is known.
 impl Display for Cause {
     fn fmt(&self, f: &mut Formatter) -> fmt::Result {
-        write!(f, "{}", self.words())?;
+        write!(f, "{}", self.description())?;
         self.file().map_or(Ok(()), |file| write!(f, " ({file})"))
     }
 }
@@ -205,11 +205,11 @@ impl Display for Answer {
     }
 }
 
-/// Joins the first `most` items of a list. If there are more, the text ends in their number, such
+/// Joins the first `max_items` items of a list. If there are more, the text ends in how many, such
 /// as `2 more`.
-pub(crate) fn join_first(mut items: Vec<String>, most: usize, separator: &str) -> String {
-    let more = items.len().saturating_sub(most);
-    items.truncate(most);
+pub(crate) fn join_first(mut items: Vec<String>, max_items: usize, separator: &str) -> String {
+    let more = items.len().saturating_sub(max_items);
+    items.truncate(max_items);
     if more > 0 {
         items.push(format!("{more} more"));
     }
@@ -241,7 +241,7 @@ mod tests {
     }
 
     #[test]
-    fn json_has_no_notes_and_causes_if_there_are_none() {
+    fn json_leaves_out_notes_and_causes_if_there_are_none() {
         let answer = Answer::new(Verdict::Right, "Equal.".to_owned());
         assert_eq!(answer.to_json(), r#"{"verdict":"right","headline":"Equal.","details":[]}"#);
         let causes = vec![Cause::Camera("x of D_u".to_owned())];

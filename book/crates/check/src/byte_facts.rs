@@ -16,8 +16,9 @@ const MAX_BYTES: usize = 3;
 /// Pixels are tested for a curve in two rounds: first this many, then all of them.
 const FIRST_PIXELS: usize = 500;
 
-/// Returns sentences that are true of the bytes of every wrong pixel.
-pub(crate) fn byte_sentences(comparison: &Comparison) -> Vec<String> {
+/// Returns a sentence for each simple origin that the bytes of every wrong pixel may have: one
+/// channel of ours in all three bytes, or the colour of a neighbour in our picture.
+pub(crate) fn channel_and_neighbour_sentences(comparison: &Comparison) -> Vec<String> {
     let mut sentences = vec![];
     let mut add_if = |words: &str, holds: &dyn Fn(&Pixel) -> bool| {
         if comparison.wrong.iter().all(holds) {
@@ -30,16 +31,16 @@ pub(crate) fn byte_sentences(comparison: &Comparison) -> Vec<String> {
     }
     add_if("has the colour of a neighbour in ours", &|pixel| {
         let ours = &comparison.target.picture;
-        neighbours(pixel.position).any(|(i, j)| {
+        neighbourhood_3x3(pixel.position).any(|(i, j)| {
             ours.get_pixel_checked(i, j).is_some_and(|colour| colour.0 == pixel.yours)
         })
     });
     sentences
 }
 
-/// Returns the positions of a pixel and of those around it. On the right and at the bottom, they
-/// may lie outside the picture.
-fn neighbours((i, j): (u32, u32)) -> impl Iterator<Item = (u32, u32)> {
+/// Returns the positions of a pixel and of the pixels around it. Some of them may lie beyond the
+/// right or bottom edge of the picture.
+fn neighbourhood_3x3((i, j): (u32, u32)) -> impl Iterator<Item = (u32, u32)> {
     let rows = j.saturating_sub(1)..=j + 1;
     rows.flat_map(move |row| (i.saturating_sub(1)..=i + 1).map(move |column| (column, row)))
 }
@@ -62,46 +63,47 @@ pub(crate) fn byte_map_sentence(comparison: &Comparison, scene: &StepScene) -> O
             }
         }
     }
-    let pairs = zip(0..=u8::MAX, yours_of_ours);
-    let pairs = pairs.filter_map(|(ours, yours)| Some((ours, yours?)));
-    let changed: Vec<_> = pairs.filter(|(ours, yours)| ours != yours).collect();
-    if changed.len() < MIN_CHANGED_VALUES && is_sky_or_objects_alone(comparison, scene) {
+    let changed: Vec<_> = zip(0..=u8::MAX, yours_of_ours)
+        .filter_map(|(ours, yours)| Some((ours, yours?)))
+        .filter(|(ours, yours)| ours != yours)
+        .collect();
+    if changed.len() < MIN_CHANGED_VALUES && only_sky_or_only_objects_differ(comparison, scene) {
         return None;
     }
     let file = sentence_on_files_to_compare(changed.len(), scene);
-    let words = changed.iter().map(|(ours, yours)| format!("{ours} becomes {yours}"));
-    let words = join_first(words.collect(), MAX_BYTES, ", ");
-    Some(format!("Each byte depends only on ours: {words}.{file}"))
+    let clauses = changed.iter().map(|(ours, yours)| format!("{ours} becomes {yours}"));
+    let examples = join_first(clauses.collect(), MAX_BYTES, ", ");
+    Some(format!("Each byte depends only on ours: {examples}.{file}"))
 }
 
 /// Whether only the sky or only the objects differ. Then it may be their colours that are wrong,
 /// and not the conversion to bytes.
-fn is_sky_or_objects_alone(comparison: &Comparison, scene: &StepScene) -> bool {
+fn only_sky_or_only_objects_differ(comparison: &Comparison, scene: &StepScene) -> bool {
     let wrong_sky = comparison.wrong.iter().filter(|pixel| pixel.hit.is_none()).count();
     scene.step > Step::Rays && [0, comparison.wrong.len()].contains(&wrong_sky)
 }
 
-/// Returns a sentence that names the files to compare. It is empty if fewer than `MIN_CHANGED_VALUES`
-/// values of a byte have changed. It is also empty in steps 1 and 2, since a wrong
+/// Returns a sentence that names the files to compare. It is empty if fewer than
+/// `MIN_CHANGED_VALUES` byte values have changed. It is also empty in steps 1 and 2, since a wrong
 /// `direction_colour` looks the same there as a wrong conversion to bytes.
-fn sentence_on_files_to_compare(value_count: usize, scene: &StepScene) -> &'static str {
-    let is_known = value_count >= MIN_CHANGED_VALUES && scene.step > Step::Sphere;
+fn sentence_on_files_to_compare(changed_count: usize, scene: &StepScene) -> &'static str {
+    let is_known = changed_count >= MIN_CHANGED_VALUES && scene.step > Step::Sphere;
     if is_known { " Compare rgb8.rs and the mean in render.rs of step 1." } else { "" }
 }
 
 /// Describes your bytes as a function of our intensities. Returns None unless this function only
 /// rises or only falls. Also returns None if only the sky or only the objects differ.
 pub(crate) fn byte_curve_sentence(comparison: &Comparison, scene: &StepScene) -> Option<String> {
-    if is_sky_or_objects_alone(comparison, scene) {
+    if only_sky_or_only_objects_differ(comparison, scene) {
         return None;
     }
     // For most pictures, a few pixels are enough to rule out a curve.
     sorted_curve(comparison.pixels().take(FIRST_PIXELS), scene)?;
     let mut curve = sorted_curve(comparison.pixels(), scene)?;
     curve.retain(|(_, yours, ours)| yours != ours);
-    let points = [1, 3, 5].map(|part| curve[part * curve.len() / 6]);
-    let clauses = points.map(|(i, yours, ours)| format!("{i:.3} becomes {yours} (ours: {ours})"));
-    let mut clauses = clauses.to_vec();
+    let points = [1, 3, 5].map(|sixths| curve[sixths * curve.len() / 6]);
+    let mut clauses =
+        points.map(|(i, yours, ours)| format!("{i:.3} becomes {yours} (ours: {ours})")).to_vec();
     clauses.dedup();
     let values: BTreeSet<u32> = curve.iter().map(|(_, yours, _)| u32::from(*yours)).collect();
     let file = sentence_on_files_to_compare(values.len(), scene);
@@ -114,16 +116,17 @@ fn sorted_curve<'a>(
     pixels: impl Iterator<Item = &'a Pixel>,
     scene: &StepScene,
 ) -> Option<Vec<(f64, u8, u8)>> {
-    let bytes = pixels.flat_map(|pixel| {
-        let intensity = scene.colour(&pixel.ray).to_array();
-        (0..3).map(move |k| (intensity[k], pixel.yours[k], pixel.ours[k]))
-    });
-    let mut bytes: Vec<_> = bytes.collect();
-    bytes.sort_unstable_by(|a, b| a.0.total_cmp(&b.0));
-    let is_curve = |is_meant: fn(u8, u8) -> bool| {
-        bytes.is_sorted_by(|(i, a, _), (j, b, _)| if i == j { a == b } else { is_meant(*a, *b) })
+    let mut points: Vec<_> = pixels
+        .flat_map(|pixel| {
+            let intensity = scene.colour(&pixel.ray).to_array();
+            (0..3).map(move |k| (intensity[k], pixel.yours[k], pixel.ours[k]))
+        })
+        .collect();
+    points.sort_unstable_by(|a, b| a.0.total_cmp(&b.0));
+    let is_curve = |is_ordered: fn(u8, u8) -> bool| {
+        points.is_sorted_by(|(i, a, _), (j, b, _)| if i == j { a == b } else { is_ordered(*a, *b) })
     };
-    (is_curve(|a, b| a <= b) || is_curve(|a, b| a >= b)).then_some(bytes)
+    (is_curve(|a, b| a <= b) || is_curve(|a, b| a >= b)).then_some(points)
 }
 
 #[cfg(test)]
@@ -131,9 +134,9 @@ mod tests {
     use super::*;
 
     #[test]
-    fn neighbours_are_one_pixel_away() {
+    fn neighbourhood_is_cropped_at_the_left_and_at_the_top() {
         let expected = [(4, 6), (5, 6), (6, 6), (4, 7), (5, 7), (6, 7), (4, 8), (5, 8), (6, 8)];
-        assert_eq!(neighbours((5, 7)).collect::<Vec<_>>(), expected);
-        assert_eq!(neighbours((0, 0)).collect::<Vec<_>>(), [(0, 0), (1, 0), (0, 1), (1, 1)]);
+        assert_eq!(neighbourhood_3x3((5, 7)).collect::<Vec<_>>(), expected);
+        assert_eq!(neighbourhood_3x3((0, 0)).collect::<Vec<_>>(), [(0, 0), (1, 0), (0, 1), (1, 1)]);
     }
 }

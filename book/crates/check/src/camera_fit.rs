@@ -30,20 +30,22 @@ pub(crate) fn find_cameras(
         let ray = |pixel: &Pixel| camera.ray(pixel.position.0.into(), pixel.position.1.into());
         budget.holds_for_all(&mut pixels, 1, |pixel| scene.bytes(&ray(pixel)) == pixel.yours)
     };
-    let written =
-        cameras_with_wrong_formulas().into_iter().filter(|(camera, _)| gives_picture(camera));
-    let mut words: Vec<_> = written.map(|(_, words)| words).collect();
-    if words.is_empty() {
-        words.extend(MatrixNumber::all_x_and_y().filter_map(|number| {
+    let mut descriptions: Vec<_> = cameras_with_wrong_formulas()
+        .into_iter()
+        .filter(|(camera, _)| gives_picture(camera))
+        .map(|(_, description)| description)
+        .collect();
+    if descriptions.is_empty() {
+        descriptions.extend(MatrixNumber::all_x_and_y().filter_map(|number| {
             let mut values = values_from_sky(comparison, scene, number).into_iter();
             let value = values.find(|value| gives_picture(&number.camera_with(*value)))?;
             Some(number.describe(&value.to_string()))
         }));
     }
-    if scene.step == Step::Rays && !words.is_empty() {
-        words.push("other colours of the directions".into());
+    if scene.step == Step::Rays && !descriptions.is_empty() {
+        descriptions.push("other colours of the directions".into());
     }
-    words
+    descriptions
 }
 
 impl MatrixNumber {
@@ -51,7 +53,7 @@ impl MatrixNumber {
         (0..2).flat_map(|row| (0..3).map(move |column| Self { column, row }))
     }
 
-    fn ours(self) -> f64 {
+    fn our_value(self) -> f64 {
         camera().matrix.col(self.column)[self.row]
     }
 
@@ -66,7 +68,7 @@ impl MatrixNumber {
     fn describe(self, value: &str) -> String {
         let axis = ["x", "y"][self.row];
         let vector = ["D_u", "D_v", "V_0"][self.column];
-        with_minus(&format!("{axis} of {vector} = {value} instead of {:.6}", self.ours()))
+        with_minus(&format!("{axis} of {vector} = {value} instead of {:.6}", self.our_value()))
     }
 }
 
@@ -123,7 +125,7 @@ fn cameras_with_wrong_formulas() -> Vec<(Camera, String)> {
 /// number isn't the cause.
 fn values_from_sky(comparison: &Comparison, scene: &StepScene, number: MatrixNumber) -> Vec<f64> {
     let Some(bounds) = bound_by_sky(comparison, scene, number) else { return vec![] };
-    let (ours, matrix) = (number.ours(), camera().matrix);
+    let (ours, matrix) = (number.our_value(), camera().matrix);
     if bounds.contains(&ours) {
         return vec![];
     }
@@ -135,14 +137,14 @@ fn values_from_sky(comparison: &Comparison, scene: &StepScene, number: MatrixNum
     let pixel_step = if number.column == 2 { pixel_steps[number.row] } else { ours };
     let starts_and_units = [(0.0, 1.0), (0.0, ours), (ours, pixel_step)];
     let middle = (bounds.start() + bounds.end()) / 2.0;
-    let values = (0..8).flat_map(|digits| {
+    let round_values = (0..8).flat_map(|digits| {
         let scale = 10_f64.powi(digits);
         starts_and_units
             .map(|(start, unit)| start + ((middle - start) / unit * scale).round() / scale * unit)
     });
-    let values = values.chain([middle]).filter(|value| bounds.contains(value));
+    let candidates = round_values.chain([middle]).filter(|value| bounds.contains(value));
     // Try the rounded number, since that is what the answer reports.
-    values.map(|value| (value * 1e12).round() / 1e12).collect()
+    candidates.map(|value| (value * 1e12).round() / 1e12).collect()
 }
 
 /// Returns the interval of values for a number that reproduce every sky pixel, in the channel that
@@ -153,10 +155,10 @@ fn bound_by_sky(
     MatrixNumber { column, row }: MatrixNumber,
 ) -> Option<RangeInclusive<f64>> {
     let matrix = camera().matrix;
-    let (mut least, mut most) = (f64::NEG_INFINITY, f64::INFINITY);
-    // A pixel counts as sky if ours shows the sky there, and yours has a blue of 255 and our byte
-    // in the channel that doesn't depend on the number. A highlight may look the same, but hardly
-    // in the upper third of the picture.
+    let (mut start, mut end) = (f64::NEG_INFINITY, f64::INFINITY);
+    // A pixel counts as sky if our picture shows the sky there, and your pixel has a blue of 255
+    // and our byte in the channel that doesn't depend on the number. From step 4 on, a highlight
+    // might pass for sky, so we look only at the upper third, which hardly has any highlights.
     let rows = if scene.step < Step::Diffuse { 0..PICTURE_ROWS } else { 0..PICTURE_ROWS / 3 };
     let is_sky = |pixel: &&Pixel| {
         let Pixel { yours, ours, hit, .. } = pixel;
@@ -173,13 +175,13 @@ fn bound_by_sky(
         let bound = |byte: f64| (byte / 255.0 - 0.7) / 0.3 - other_terms;
         let [low, high] = [bound(byte - 0.5), bound(byte + 0.5)];
         if factor > 0.0 {
-            (least, most) = (least.max(low / factor), most.min(high / factor));
+            (start, end) = (start.max(low / factor), end.min(high / factor));
         }
-        if most < least || factor == 0.0 && !(low..=high).contains(&0.0) {
+        if end < start || factor == 0.0 && !(low..=high).contains(&0.0) {
             return None;
         }
     }
-    Some(least..=most)
+    Some(start..=end)
 }
 
 #[cfg(test)]
@@ -205,7 +207,7 @@ mod tests {
     }
 
     #[test]
-    fn number_of_each_column_is_found_by_the_sky() {
+    fn number_in_each_column_is_found_from_the_sky() {
         let target = target();
         let scene = target.scene.as_ref().expect("a step");
         for (number, value, words) in [
@@ -224,7 +226,7 @@ mod tests {
     fn no_number_fits_a_byte_on_which_it_has_no_influence() {
         let mut yours = picture(&D_U.camera_with(0.0017), 1);
         let range = bounds(&yours, D_U).expect("a range");
-        assert!(range.contains(&0.0017) && !range.contains(&D_U.ours()), "{range:?}");
+        assert!(range.contains(&0.0017) && !range.contains(&D_U.our_value()), "{range:?}");
         // In column 0, V doesn't depend on D_u.
         yours[(0, 5)][0] += 1;
         assert_eq!(bounds(&yours, D_U), None);
@@ -258,22 +260,22 @@ mod tests {
     }
 
     #[test]
-    fn multiples_of_ours_and_whole_pixels_are_tried() {
-        let twice = 2.0 * D_U.ours();
+    fn multiples_of_our_number_and_shifts_by_whole_pixels_are_tried() {
+        let twice = 2.0 * D_U.our_value();
         let words = format!("x of D_u = {:.12} instead of 0.001807", twice);
         assert_eq!(cameras_of_step_3(D_U, twice), [words]);
-        let three_rows_lower = V_0.ours() + 3.0 * D_V.ours();
+        let three_rows_lower = V_0.our_value() + 3.0 * D_V.our_value();
         let words = format!("y of V_0 = {:.12} instead of 0.324364", three_rows_lower);
         assert_eq!(cameras_of_step_3(V_0, three_rows_lower), [words]);
     }
 
     #[test]
-    fn written_cameras_have_the_numbers_of_their_formulas() {
+    fn each_wrong_formula_changes_the_matrix_as_described() {
         let ours = camera().matrix;
         let lines = cameras_with_wrong_formulas().into_iter().map(|(camera, words)| {
             let numbers = MatrixNumber::all_x_and_y().filter_map(|number| {
                 let value = camera.matrix.col(number.column)[number.row];
-                (value != number.ours()).then(|| format!("{value:.9}"))
+                (value != number.our_value()).then(|| format!("{value:.9}"))
             });
             assert_ne!(camera.matrix, ours, "{words}");
             format!("{words}: {}", numbers.collect::<Vec<_>>().join(", "))

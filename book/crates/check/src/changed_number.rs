@@ -15,7 +15,7 @@ pub(crate) fn find_changed_numbers(
     let mut pixels: Vec<_> = comparison.pixels().collect();
     let own = OwnScene::new(scene.own.scene.clone());
     let mut changed = StepScene { own, ..*scene };
-    let mut words = vec![];
+    let mut descriptions = vec![];
     for quantity in QUANTITIES {
         let Some(typed) = quantity.typed.filter(|typed| typed.first_step <= scene.step) else {
             continue;
@@ -31,7 +31,7 @@ pub(crate) fn find_changed_numbers(
                     if is_found {
                         let [new, old] = [&changed.own, &scene.own]
                             .map(|own| with_minus(&format_quantity(quantity, own, k)));
-                        words
+                        descriptions
                             .push(format!("{} of {owner} = {new} instead of {old}", quantity.name));
                     }
                 }
@@ -39,7 +39,7 @@ pub(crate) fn find_changed_numbers(
             }
         }
     }
-    words
+    descriptions
 }
 
 /// Returns the names of all owners of a kind, such as the names of all objects.
@@ -71,13 +71,13 @@ mod tests {
     use super::*;
 
     #[test]
-    fn numbers_that_may_be_typed_are_in_range() {
+    fn typed_numbers_include_both_ends_of_the_range() {
         let typed = TypedRange { first_step: course::Step::Rays, range: [0, 1], steps_per_unit: 2 };
         assert_eq!(typed_numbers(typed).collect::<Vec<_>>(), [0.0, 0.5, 1.0]);
     }
 
     #[test]
-    fn owners_have_names() {
+    fn owners_are_named_with_an_article_or_a_number() {
         let scene = StepScene::of_step(course::Step::Sphere);
         assert_eq!(owner_names(&scene, Owner::Object), ["the sphere"]);
         assert_eq!(owner_names(&scene, Owner::Light), ["the warm light", "the cool light"]);

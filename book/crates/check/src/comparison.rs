@@ -99,13 +99,18 @@ impl Budget {
         rest.is_some()
     }
 
-    /// Returns whether `is_so` holds for every item. Each item costs `cost`, and if the budget runs
-    /// out, the result is false.
+    /// Returns whether `condition` holds for every item. Testing an item costs `cost`. If the
+    /// budget runs out, the result is false.
     ///
-    /// The first item for which `is_so` doesn't hold moves to the front. It will probably refute
-    /// the next candidate as well, which then costs only one item.
-    pub fn holds_for_all<T>(&self, items: &mut [T], cost: u32, is_so: impl Fn(&T) -> bool) -> bool {
-        let refuting = items.iter().position(|item| !self.spend(cost) || !is_so(item));
+    /// The first item for which `condition` doesn't hold moves to the front. It will probably
+    /// refute the next candidate as well, which then costs only one item.
+    pub fn holds_for_all<T>(
+        &self,
+        items: &mut [T],
+        cost: u32,
+        condition: impl Fn(&T) -> bool,
+    ) -> bool {
+        let refuting = items.iter().position(|item| !self.spend(cost) || !condition(item));
         if let Some(k) = refuting {
             items[..=k].rotate_right(1);
         }
@@ -119,7 +124,7 @@ mod tests {
     use std::collections::BTreeSet;
 
     #[test]
-    fn budget_is_spent_when_its_costs_are() {
+    fn budget_is_spent_when_the_costs_use_it_up() {
         let budget = Budget::new(5);
         assert!(!budget.is_spent());
         assert!(budget.spend(3) && !budget.is_spent());
@@ -131,7 +136,7 @@ mod tests {
     }
 
     #[test]
-    fn item_that_refutes_comes_first_the_next_time() {
+    fn item_that_fails_the_condition_moves_to_the_front() {
         let mut items = [1, 2, 3, 4];
         let budget = Budget::new(100);
         assert!(!budget.holds_for_all(&mut items, 10, |item| *item != 3));
@@ -146,7 +151,7 @@ mod tests {
     }
 
     #[test]
-    fn scattered_positions_are_each_position_once() {
+    fn scattered_positions_visit_each_position_once() {
         for (columns, rows) in [(640, 360), (64, 36), (7919, 2), (1, 1)] {
             let positions: Vec<_> = scattered_positions((columns, rows)).collect();
             let different: BTreeSet<_> = positions.iter().collect();
@@ -161,7 +166,7 @@ mod tests {
     }
 
     #[test]
-    fn pixels_are_right_or_wrong_and_the_farthest_is_wrong_most() {
+    fn pixels_are_right_or_wrong_and_the_most_different_one_is_found() {
         let ours = RgbImage::from_pixel(4, 3, Rgb([9, 9, 9]));
         let target = Target::of_locked("rings", ours.clone());
         assert!(Comparison::new(&target, &ours).is_none());

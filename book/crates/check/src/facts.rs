@@ -1,10 +1,10 @@
 //! Finds facts: sentences that are true of the wrong pixels, whatever the cause.
 
 use crate::byte_facts::{
-    byte_curve_sentence, byte_map_sentence, byte_sentences, one_colour_sentence,
+    byte_curve_sentence, byte_map_sentence, channel_and_neighbour_sentences, one_colour_sentence,
 };
 use crate::comparison::{Comparison, Pixel};
-use crate::regions::{count_regions, hidden_sentence, region_sentence};
+use crate::regions::{colours_from_behind_sentence, count_regions, region_sentence};
 use crate::step_scene::StepScene;
 use crate::undrawn::undrawn_sentence;
 use course::Step;
@@ -34,7 +34,7 @@ pub(crate) fn find_facts(comparison: &Comparison) -> Vec<String> {
     let mut facts: Vec<_> = undrawn.into_iter().collect();
     if facts.is_empty() {
         facts.extend(curve);
-        facts.extend(regions.as_deref().and_then(hidden_sentence));
+        facts.extend(regions.as_deref().and_then(colours_from_behind_sentence));
         if let Some(scene) = varied {
             if exceed_byte_range(&comparison.wrong, scene) {
                 facts.push("Each wrong pixel has an intensity above 1 in ours.".to_owned());
@@ -43,7 +43,7 @@ pub(crate) fn find_facts(comparison: &Comparison) -> Vec<String> {
         }
         if is_varied {
             facts.extend(one_colour_sentence(&comparison.wrong));
-            facts.extend(byte_sentences(comparison));
+            facts.extend(channel_and_neighbour_sentences(comparison));
         }
         facts.truncate(MAX_FACTS);
     }
@@ -53,8 +53,7 @@ pub(crate) fn find_facts(comparison: &Comparison) -> Vec<String> {
 
 /// Whether there are enough wrong pixels, with enough different colours in our picture.
 fn is_varied(wrong: &[Pixel]) -> bool {
-    let number = |[red, green, blue]: [u8; 3]| u32::from_be_bytes([0, red, green, blue]);
-    let colours: BTreeSet<u32> = wrong.iter().map(|pixel| number(pixel.ours)).collect();
+    let colours: BTreeSet<[u8; 3]> = wrong.iter().map(|pixel| pixel.ours).collect();
     wrong.len() >= MIN_PIXELS && colours.len() >= MIN_COLOURS
 }
 
@@ -66,9 +65,9 @@ fn exceed_byte_range(pixels: &[Pixel], scene: &StepScene) -> bool {
 /// Names the light that is missing from every wrong pixel: the smallest set of terms that we have
 /// to leave out of our sum to get your colours. Returns None if there is no such set.
 fn missing_light_sentence(wrong: &[Pixel], scene: &StepScene) -> Option<String> {
-    let names_of = |term| scene.light_names.map(|light| format!("the {term} term of {light}"));
+    let light_terms = |term| scene.light_names.map(|light| format!("the {term} term of {light}"));
     let ambient = ["the ambient term".to_owned()];
-    let names = [&ambient[..], &names_of("diffuse"), &names_of("specular")].concat();
+    let names = [&ambient[..], &light_terms("diffuse"), &light_terms("specular")].concat();
     let count = match scene.step {
         Step::Diffuse => 3,
         Step::Phong => 5,
@@ -77,10 +76,10 @@ fn missing_light_sentence(wrong: &[Pixel], scene: &StepScene) -> Option<String> 
     let is_left_out = |choice: usize, k: usize| choice >> k & 1 == 1;
     // Leaving out all terms isn't a choice, since every pixel would be black.
     let choices = 1..(1_usize << count) - 1;
-    let mut choices = (1..count as u32)
+    let mut smallest_first = (1..count as u32)
         .flat_map(|terms| choices.clone().filter(move |choice| choice.count_ones() == terms));
     let lights = &scene.own.scene.lights;
-    let choice = choices.find(|choice| {
+    let choice = smallest_first.find(|choice| {
         wrong.iter().all(|Pixel { ray, hit, yours, .. }| {
             let Some(hit) = *hit else { return false };
             let ambient = scene.ambient_at_hit(hit);
@@ -90,9 +89,9 @@ fn missing_light_sentence(wrong: &[Pixel], scene: &StepScene) -> Option<String> 
             rgb8(kept.map(|k| terms[k]).sum()).0 == *yours
         })
     })?;
-    let names = (0..count).filter(|k| is_left_out(choice, *k)).map(|k| &*names[k]);
-    let names = names.collect::<Vec<_>>().join(" and ");
-    Some(format!("Each wrong pixel is ours without {names}."))
+    let missing: Vec<_> =
+        (0..count).filter(|k| is_left_out(choice, *k)).map(|k| &*names[k]).collect();
+    Some(format!("Each wrong pixel is ours without {}.", missing.join(" and ")))
 }
 
 #[cfg(test)]

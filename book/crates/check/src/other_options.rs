@@ -44,7 +44,7 @@ pub(crate) struct Options {
     fov_degrees: f64,
     samples: u32,
     /// The number of pixels that were compared: all of them, unless that would take too many rays.
-    compared: usize,
+    compared_count: usize,
     /// Whether the picture is one colour, which many options produce.
     is_one_colour: bool,
 }
@@ -68,9 +68,9 @@ impl Options {
             options += &format!(" --samples {}", self.samples);
         }
         let all = columns as usize * rows as usize;
-        match self.compared {
-            compared if compared < all => format!(
-                "So may the right program with {options}: {compared} of {all} pixels were compared."
+        match self.compared_count {
+            count if count < all => format!(
+                "So may the right program with {options}: {count} of {all} pixels were compared."
             ),
             _ => format!("So does the right program with {options}."),
         }
@@ -90,13 +90,13 @@ impl Options {
             "{title} at {columns}×{rows} pixels, {}° and {samples}×{samples} rays per pixel",
             self.fov_degrees
         );
-        match self.compared {
+        match self.compared_count {
             _ if self.is_one_colour => format!(
                 "This is {options}, in every pixel, but one colour says little: further options \
                  and mistakes may give it, too."
             ),
-            compared if compared < all => {
-                format!("{compared} of {all} pixels were compared, and are those of {options}.")
+            count if count < all => {
+                format!("{count} of {all} pixels were compared, and are those of {options}.")
             }
             _ => format!("This is what a right program draws, in every pixel: {options}."),
         }
@@ -141,11 +141,11 @@ pub(crate) fn find_options(scene: &StepScene, yours: &RgbImage) -> Option<Option
             if !probe_budget.holds_for_all(&mut probes, rays, is_equal) {
                 continue;
             }
-            let compared = yours.pixels().len().min((MAX_RAYS / rays) as usize);
-            let mut positions = scattered_positions(size).take(compared);
+            let compared_count = yours.pixels().len().min((MAX_RAYS / rays) as usize);
+            let mut positions = scattered_positions(size).take(compared_count);
             if positions.all(|position| budget.spend(rays) && is_equal(&position)) {
                 let is_one_colour = uniform_colour(yours).is_some();
-                return Some(Options { size, fov_degrees, samples, compared, is_one_colour });
+                return Some(Options { size, fov_degrees, samples, compared_count, is_one_colour });
             }
         }
     }
@@ -181,12 +181,12 @@ fn fine_angles_that_fit_border(yours: &RgbImage) -> impl Iterator<Item = f64> {
             }
         }
     }
-    let (least, most) = find_common_bounds(&intervals);
-    let [least, most] = [least, most].map(|tan| 2.0 * tan.atan().to_degrees());
-    let is_narrow = most - least < MAX_DEGREES_FOR_FOUR_DECIMALS;
+    let (min_tan, max_tan) = find_common_bounds(&intervals);
+    let [min, max] = [min_tan, max_tan].map(|tan| 2.0 * tan.atan().to_degrees());
+    let is_narrow = max - min < MAX_DEGREES_FOR_FOUR_DECIMALS;
     let scales = if is_narrow { &[1e2, 1e3, 1e4][..] } else { &[1e2, 1e3] };
     scales.iter().flat_map(move |scale| {
-        let numbers = (least * scale).ceil() as u32..=(most * scale).floor() as u32;
+        let numbers = (min * scale).ceil() as u32..=(max * scale).floor() as u32;
         let is_finer = |number: &u32| !number.is_multiple_of(10);
         numbers.filter(is_finer).map(move |number| f64::from(number) / scale)
     })
@@ -205,13 +205,15 @@ fn find_common_bounds(intervals: &[(f64, f64)]) -> (f64, f64) {
     // Starts come before ends, since a number where one interval ends and another starts lies in
     // both.
     changes.sort_by(|a, b| a.0.total_cmp(&b.0).then(b.1.cmp(&a.1)));
-    let counts = changes.iter().scan(0, |count, (_, change)| {
-        *count += change;
-        Some(*count)
-    });
-    let counts: Vec<_> = counts.collect();
-    let most = counts.iter().copied().max().unwrap_or(0);
-    let is_enough = |count: &i32| *count >= most - most / BYTES_PER_OBJECT_BYTE;
+    let counts: Vec<_> = changes
+        .iter()
+        .scan(0, |count, (_, change)| {
+            *count += change;
+            Some(*count)
+        })
+        .collect();
+    let max_count = counts.iter().copied().max().unwrap_or(0);
+    let is_enough = |count: &i32| *count >= max_count - max_count / BYTES_PER_OBJECT_BYTE;
     // The last count that is large enough holds until the change after it, which is the end of an
     // interval.
     let first = counts.iter().position(is_enough).unwrap_or(0);
@@ -285,11 +287,11 @@ mod tests {
 
     #[test]
     fn options_are_named_as_they_are_typed() {
-        let options = |size, samples, compared| Options {
+        let options = |size, samples, compared_count| Options {
             size,
             fov_degrees: 75.5,
             samples,
-            compared,
+            compared_count,
             is_one_colour: false,
         };
         let all = options((640, 360), 1, 230_400);

@@ -14,68 +14,67 @@ const SKY: &str = "the sky";
 /// The pixels where our picture shows the sky, or where it shows a certain object.
 pub(crate) struct Region {
     name: String,
-    all: usize,
-    wrong: usize,
+    pixel_count: usize,
+    wrong_count: usize,
     /// The number of wrong pixels that have the colour of something else on the same ray: the sky,
     /// or an object behind this one.
-    showing_what_is_behind: usize,
+    from_behind_count: usize,
 }
 
 /// Returns a region for the sky, followed by one for each object, with their pixels counted. What
 /// isn't visible in our picture is left out.
 pub(crate) fn count_regions(comparison: &Comparison, scene: &StepScene) -> Vec<Region> {
     let names = [vec![SKY.to_owned()], scene.object_names()].concat();
-    let regions =
-        names.into_iter().map(|name| Region { name, all: 0, wrong: 0, showing_what_is_behind: 0 });
-    let mut regions: Vec<_> = regions.collect();
-    let is_hidden = |Pixel { ray, yours, .. }: &Pixel| {
+    let empty_region = |name| Region { name, pixel_count: 0, wrong_count: 0, from_behind_count: 0 };
+    let mut regions: Vec<_> = names.into_iter().map(empty_region).collect();
+    let is_from_behind = |Pixel { ray, yours, .. }: &Pixel| {
         let colours = scene.object_hits(ray).map(|hit| scene.colour_at_hit(ray, hit));
         colours.chain([direction_colour(ray)]).any(|colour| rgb8(colour).0 == *yours)
     };
-    let number = |pixel: &Pixel| pixel.hit.map_or(0, |hit| hit.object + 1);
-    comparison.pixels().for_each(|pixel| regions[number(pixel)].all += 1);
+    let index = |pixel: &Pixel| pixel.hit.map_or(0, |hit| hit.object + 1);
+    comparison.pixels().for_each(|pixel| regions[index(pixel)].pixel_count += 1);
     for pixel in &comparison.wrong {
-        regions[number(pixel)].wrong += 1;
-        regions[number(pixel)].showing_what_is_behind += usize::from(is_hidden(pixel));
+        regions[index(pixel)].wrong_count += 1;
+        regions[index(pixel)].from_behind_count += usize::from(is_from_behind(pixel));
     }
-    regions.retain(|region| region.all > 0);
+    regions.retain(|region| region.pixel_count > 0);
     regions
 }
 
 /// Counts the wrong pixels that show what should be hidden behind an object, and names the objects
-/// that are missing from your picture. Returns None if no object is missing and only a few pixels
-/// show what should be hidden.
-pub(crate) fn hidden_sentence(regions: &[Region]) -> Option<String> {
-    let hidden: usize = regions.iter().map(|region| region.showing_what_is_behind).sum();
-    let wrong: usize = regions.iter().map(|region| region.wrong).sum();
-    let nowhere = regions.iter().filter(|region| region.showing_what_is_behind == region.all);
-    let nowhere: Vec<_> = nowhere.map(|region| &*region.name).collect();
-    // A few pixels may have such a colour by chance.
-    if nowhere.is_empty() && 10 * hidden < wrong {
+/// that are missing from your picture. Returns None if no object is missing and only a few wrong
+/// pixels have such a colour, as may happen by chance.
+pub(crate) fn colours_from_behind_sentence(regions: &[Region]) -> Option<String> {
+    let from_behind: usize = regions.iter().map(|region| region.from_behind_count).sum();
+    let wrong: usize = regions.iter().map(|region| region.wrong_count).sum();
+    let is_missing = |region: &&Region| region.from_behind_count == region.pixel_count;
+    let missing: Vec<_> = regions.iter().filter(is_missing).map(|region| &*region.name).collect();
+    if missing.is_empty() && 10 * from_behind < wrong {
         return None;
     }
     let mut sentence = format!(
-        "{hidden} of {wrong} wrong pixels have the colour of the sky or of an object that lies \
+        "{from_behind} of {wrong} wrong pixels have the colour of the sky or of an object that lies \
          behind"
     );
-    if !nowhere.is_empty() {
-        sentence += &format!(", including all that show {} in ours", nowhere.join(", "));
+    if !missing.is_empty() {
+        sentence += &format!(", including all that show {} in ours", missing.join(", "));
     }
     Some(sentence + ".")
 }
 
 /// Names the regions with the most wrong pixels, and those that are right in every pixel.
 pub(crate) fn region_sentence(mut regions: Vec<Region>) -> String {
-    regions.sort_by_key(|region| Reverse(region.wrong));
-    let (wrong, right): (Vec<_>, Vec<_>) = regions.iter().partition(|region| region.wrong > 0);
-    let counts = wrong
-        .iter()
-        .map(|Region { name, all, wrong, .. }| format!("{wrong} of {all} pixels of {name}"));
+    regions.sort_by_key(|region| Reverse(region.wrong_count));
+    let (wrong, right): (Vec<_>, Vec<_>) =
+        regions.iter().partition(|region| region.wrong_count > 0);
+    let counts = wrong.iter().map(|Region { name, pixel_count, wrong_count, .. }| {
+        format!("{wrong_count} of {pixel_count} pixels of {name}")
+    });
     let wrong_parts = join_first(counts.collect(), MAX_REGIONS, "; ");
     match right.iter().map(|region| &*region.name).collect::<Vec<_>>()[..] {
         [] => format!("It differs from ours in {wrong_parts}."),
         [_, ..] if wrong.len() == 1 && wrong[0].name == SKY => {
-            let count: usize = right.iter().map(|region| region.all).sum();
+            let count: usize = right.iter().map(|region| region.pixel_count).sum();
             format!(
                 "It differs from ours in {wrong_parts}. All {count} pixels of the objects are right."
             )
@@ -91,8 +90,13 @@ pub(crate) fn region_sentence(mut regions: Vec<Region>) -> String {
 mod tests {
     use super::*;
 
-    fn region(name: &str, all: usize, wrong: usize, hidden: usize) -> Region {
-        Region { name: name.to_owned(), all, wrong, showing_what_is_behind: hidden }
+    fn region(
+        name: &str,
+        pixel_count: usize,
+        wrong_count: usize,
+        from_behind_count: usize,
+    ) -> Region {
+        Region { name: name.to_owned(), pixel_count, wrong_count, from_behind_count }
     }
 
     #[test]
@@ -118,12 +122,17 @@ mod tests {
     }
 
     #[test]
-    fn few_hidden_pixels_say_nothing() {
-        let hidden =
-            |hidden| hidden_sentence(&[region("a", 200, 100, hidden), region("b", 9, 0, 0)]);
-        assert_eq!(hidden(9), None);
-        assert!(hidden(10).is_some_and(|sentence| sentence.starts_with("10 of 100 wrong pixels")));
-        let sentence = hidden_sentence(&[region("a", 200, 100, 1), region("b", 2, 2, 2)]);
+    fn few_pixels_with_a_colour_from_behind_give_no_sentence() {
+        let sentence = |from_behind_count| {
+            let wrong_region = region("a", 200, 100, from_behind_count);
+            colours_from_behind_sentence(&[wrong_region, region("b", 9, 0, 0)])
+        };
+        assert_eq!(sentence(9), None);
+        assert!(
+            sentence(10).is_some_and(|sentence| sentence.starts_with("10 of 100 wrong pixels"))
+        );
+        let sentence =
+            colours_from_behind_sentence(&[region("a", 200, 100, 1), region("b", 2, 2, 2)]);
         let end = "lies behind, including all that show b in ours.";
         assert!(sentence.is_some_and(|sentence| sentence.ends_with(end)));
     }

@@ -114,14 +114,14 @@ mod tests {
     use super::*;
 
     /// A picture in which no two pixels are the same.
-    fn numbered(columns: u32, rows: u32) -> RgbImage {
+    fn numbered_picture(columns: u32, rows: u32) -> RgbImage {
         RgbImage::from_fn(columns, rows, |i, j| [i as u8, j as u8, 200].into())
     }
 
     #[test]
-    fn turned_picture_is_named_by_its_turn() {
+    fn turned_picture_is_described_by_its_turn() {
         use image::imageops::{flip_horizontal, flip_vertical, rotate90, rotate180, rotate270};
-        let ours = numbered(20, 10);
+        let ours = numbered_picture(20, 10);
         let clauses = |yours: &RgbImage| turned_or_swapped_clauses(yours, &ours);
         assert_eq!(clauses(&ours), [""]);
         assert_eq!(clauses(&flip_vertical(&ours)), ["upside down"]);
@@ -134,12 +134,12 @@ mod tests {
             [g, r, b].into()
         });
         assert_eq!(clauses(&swapped), ["upside down, with red and green exchanged"]);
-        assert!(clauses(&numbered(10, 20)).is_empty());
+        assert!(clauses(&numbered_picture(10, 20)).is_empty());
     }
 
     #[test]
-    fn part_and_enlarged_picture_are_named_by_their_numbers() {
-        let ours = numbered(20, 10);
+    fn part_is_described_by_its_position_and_enlarged_picture_by_its_factor() {
+        let ours = numbered_picture(20, 10);
         let clause = |yours: &RgbImage| cut_or_enlarged_clause(yours, &ours);
         let part = RgbImage::from_fn(15, 7, |i, j| ours[(i + 4, j + 2)]);
         let words = "cut out: its columns 4 to 18 and rows 2 to 8";

@@ -166,8 +166,8 @@ impl Mask {
 
     /// Finds bars on two or more sides of the picture. Bars on all four sides are called a frame.
     fn find_border(&self) -> Option<Shape> {
-        let kept = self.pixels().filter(|(_, _, membership)| *membership == Membership::Outside);
-        let kept: Vec<_> = kept.collect();
+        let kept: Vec<_> =
+            self.pixels().filter(|(_, _, membership)| *membership == Membership::Outside).collect();
         let first_column = kept.iter().map(|(i, _, _)| *i).min()?;
         let last_column = kept.iter().map(|(i, _, _)| *i).max()?;
         let (first_row, last_row) = (kept.first()?.1, kept.last()?.1);
@@ -187,13 +187,12 @@ impl Mask {
             return None;
         }
         let shape = if bars.len() == 4 { "a frame" } else { "bars" };
-        let widths = bars.iter().map(|(side, width)| format!("{width} {side}"));
-        let widths = widths.collect::<Vec<_>>().join(", ");
+        let widths: Vec<_> = bars.iter().map(|(side, width)| format!("{width} {side}")).collect();
         // A loop may leave out the first and the last line. A border from an editor is wider.
         let is_loop = bars.iter().all(|(_, width)| *width == 1);
         let cause = if is_loop { ShapeCause::Loop } else { ShapeCause::Editor };
         let simile = if is_loop { "" } else { ", as editors add them" };
-        let words = format!("{shape}{simile}, in pixels: {widths}");
+        let words = format!("{shape}{simile}, in pixels: {}", widths.join(", "));
         Some(Shape { words, cause })
     }
 
@@ -207,8 +206,8 @@ impl Mask {
         let words = columns_of_rows(
             &self.format_lines(LineKind::Column, &columns),
             &self.format_lines(LineKind::Row, &rows),
-        );
-        is_shape.then_some(Shape { words: words?, cause: ShapeCause::Loop })
+        )?;
+        is_shape.then_some(Shape { words, cause: ShapeCause::Loop })
     }
 
     /// Finds everything except the crossings of certain columns with certain rows, such as lines
@@ -226,11 +225,11 @@ impl Mask {
         if !is_shape || columns.is_empty() || rows.is_empty() {
             return None;
         }
-        let words = [
+        let lines = [
             self.format_lines(LineKind::Column, &columns),
             self.format_lines(LineKind::Row, &rows),
         ];
-        let words = words.into_iter().flatten().collect::<Vec<_>>().join(" and ");
+        let words = lines.into_iter().flatten().collect::<Vec<_>>().join(" and ");
         Some(Shape { words, cause: ShapeCause::Loop })
     }
 
@@ -266,21 +265,23 @@ impl Mask {
     fn find_stride(&self) -> Option<Shape> {
         let number = |i: u32, j: u32| j * self.columns + i;
         let (period, remainders) = self.find_period(number)?;
-        let pixels = format_remainders("pixel", period, &remainders);
+        let pixels = format_period("pixel", period, remainders.len());
         let words = format!("{pixels}, counted row by row");
         Some(Shape { words, cause: ShapeCause::Loop })
     }
 
     fn find_diagonals(&self) -> Option<Shape> {
         let describe = |direction: &str, (period, remainders): (u32, BTreeSet<u32>)| {
-            let words =
-                format!("{}, {direction}", format_remainders("diagonal", period, &remainders));
+            let diagonals = format_period("diagonal", period, remainders.len());
+            let words = format!("{diagonals}, {direction}");
             Shape { words, cause: ShapeCause::Loop }
         };
         // Adding the number of rows keeps the difference from being negative.
         let falling = self.find_period(|i, j| i + self.rows - j);
-        let falling = falling.map(|found| describe("falling to the right", found));
-        falling.or_else(|| Some(describe("rising to the right", self.find_period(|i, j| i + j)?)))
+        let rising = || self.find_period(|i, j| i + j);
+        falling
+            .map(|found| describe("falling to the right", found))
+            .or_else(|| rising().map(|found| describe("rising to the right", found)))
     }
 
     /// Looks for a shape that repeats. Each pixel has a number, and the shape must consist of all
@@ -318,13 +319,14 @@ impl Mask {
 /// Joins the descriptions of columns and rows, as in `columns 3 to 9 of row 2`. Returns None if
 /// there are neither.
 fn columns_of_rows(columns: &Option<String>, rows: &Option<String>) -> Option<String> {
-    let both = [columns, rows].into_iter().flatten().map(String::as_str);
-    let both: Vec<_> = both.collect();
-    (!both.is_empty()).then(|| both.join(" of "))
+    let known: Vec<_> = [columns, rows].into_iter().flatten().map(String::as_str).collect();
+    (!known.is_empty()).then(|| known.join(" of "))
 }
 
-fn format_remainders(word: &str, period: u32, remainders: &BTreeSet<u32>) -> String {
-    match remainders.len() {
+/// Formats how often a pattern of pixels or diagonals repeats, such as `every 3rd pixel`, or
+/// `2 of every 5 pixels` if each period contains two.
+fn format_period(word: &str, period: u32, count_per_period: usize) -> String {
+    match count_per_period {
         1 => format!("every {} {word}", format_ordinal(period)),
         count => format!("{count} of every {period} {word}s"),
     }
@@ -356,7 +358,7 @@ mod tests {
     }
 
     #[test]
-    fn lines_are_named_by_their_first_their_last_and_their_step() {
+    fn lines_are_described_by_the_first_the_last_and_the_step() {
         let mask = mask_with_ten_rows(12, |_, _| true);
         let format =
             |kind, lines: &[u32]| mask.format_lines(kind, &lines.iter().copied().collect());
@@ -384,9 +386,9 @@ mod tests {
     }
 
     #[test]
-    fn remainders_are_counted_unless_there_is_one() {
-        assert_eq!(format_remainders("pixel", 3, &BTreeSet::from([2])), "every 3rd pixel");
-        assert_eq!(format_remainders("pixel", 5, &BTreeSet::from([0, 1])), "2 of every 5 pixels");
+    fn period_is_an_ordinal_unless_it_contains_several_pixels() {
+        assert_eq!(format_period("pixel", 3, 1), "every 3rd pixel");
+        assert_eq!(format_period("pixel", 5, 2), "2 of every 5 pixels");
     }
 
     #[test]
