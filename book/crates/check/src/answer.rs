@@ -95,7 +95,7 @@ impl Cause {
     }
 }
 
-/// Writes the words, followed by the file in parentheses if it is known.
+/// Writes the description, followed by the file in parentheses if it is known.
 impl Display for Cause {
     fn fmt(&self, f: &mut Formatter) -> fmt::Result {
         write!(f, "{}", self.description())?;

@@ -7,7 +7,8 @@ use course::Step;
 use std::collections::BTreeSet;
 use std::iter::zip;
 
-/// The number of byte values that must have changed for a sentence to name a file.
+/// With fewer changed byte values than this, no sentence blames the conversion to bytes: a wrong
+/// colour could change as many.
 const MIN_CHANGED_VALUES: usize = 16;
 
 /// The maximum number of bytes listed in one sentence.
@@ -91,8 +92,8 @@ fn sentence_on_files_to_compare(changed_count: usize, scene: &StepScene) -> &'st
     if is_known { " Compare rgb8.rs and the mean in render.rs of step 1." } else { "" }
 }
 
-/// Describes your bytes as a function of our intensities. Returns None unless this function only
-/// rises or only falls. Also returns None if only the sky or only the objects differ.
+/// Describes your bytes as a function of our intensities. Returns None unless this function is
+/// monotonic. Also returns None if only the sky or only the objects differ.
 pub(crate) fn byte_curve_sentence(comparison: &Comparison, scene: &StepScene) -> Option<String> {
     if only_sky_or_only_objects_differ(comparison, scene) {
         return None;

@@ -119,20 +119,19 @@ fn cameras_with_wrong_formulas() -> Vec<(Camera, String)> {
     cameras
 }
 
-/// Returns candidates for the value of a number, those with the fewest digits first. All of them
-/// fit the sky, which only confines the number to an interval. To decide between them, the caller
-/// has to draw the objects, too. If our own value fits the sky, there are no candidates, since the
-/// number isn't the cause.
+/// Returns candidates for the value of a number, those with the fewest digits first. Each of them
+/// reproduces the sky, as does every value in some interval, so the caller has to test the
+/// candidates on the objects, too. If our own value reproduces the sky, there are no candidates,
+/// since the number isn't the cause.
 fn values_from_sky(comparison: &Comparison, scene: &StepScene, number: MatrixNumber) -> Vec<f64> {
     let Some(bounds) = bound_by_sky(comparison, scene, number) else { return vec![] };
     let (ours, matrix) = (number.our_value(), camera().matrix);
     if bounds.contains(&ours) {
         return vec![];
     }
-    // Each candidate is a start plus a round multiple of a unit. We use three pairs of start and
-    // unit. They give a round number, a round multiple of our number, and our number moved by a
-    // round number of pixels: from one pixel to the next, x changes by the x of D_u, and y by the y
-    // of D_v.
+    // Each candidate is a start plus a round multiple of a unit. The three pairs of start and unit
+    // give a round number, a round multiple of our number, and our number shifted by a round number
+    // of pixels: from one pixel to the next, x changes by the x of D_u, and y by the y of D_v.
     let pixel_steps = [matrix.x_axis.x, matrix.y_axis.y];
     let pixel_step = if number.column == 2 { pixel_steps[number.row] } else { ours };
     let starts_and_units = [(0.0, 1.0), (0.0, ours), (ours, pixel_step)];

@@ -41,7 +41,8 @@ impl Pixel {
 }
 
 impl<'a> Comparison<'a> {
-    /// Compares a picture with a target. Returns None if the sizes differ, or if no pixel does.
+    /// Compares a picture with a target. Returns None if the sizes differ, or if the pictures are
+    /// equal.
     pub fn new(target: &'a Target, yours: &RgbImage) -> Option<Self> {
         let Target { scene, picture: ours, .. } = target;
         let (columns, rows) = ours.dimensions();

@@ -32,7 +32,8 @@ const TEST_COMMAND: &str = "cargo test --no-fail-fast --test by_hand";
 /// The number of rays that may be computed to try out changes.
 const MAX_RAYS: u32 = 4_000_000;
 
-/// What there is to say about the pixels of a picture, whatever its file is like.
+/// An answer based on the colours of the pixels alone. `check::compare` completes it with the notes
+/// on the file, and takes the alpha channel into account.
 pub(crate) struct Explanation {
     pub verdict: Verdict,
     /// The most helpful sentence.
@@ -129,10 +130,10 @@ fn find_unlisted_causes(comparison: &Comparison) -> Vec<Cause> {
     if budget.is_spent() { vec![] } else { causes }
 }
 
-/// Describes the causes. The first line names a few of them, and the files that the others are in.
-/// If a right program draws the same picture with some `options`, the line mentions these as well,
-/// since they explain the picture just as well. If the first cause is a listed mistake, more lines
-/// describe it.
+/// Describes the causes. The first line names a few of them, and the files that contain the others.
+/// If a right program with certain `options` draws the same picture, the line mentions these
+/// options, too, since they explain the picture just as well. If the first cause is a listed
+/// mistake, more lines describe it.
 fn describe_causes(causes: &[Cause], options: Option<&Options>) -> Vec<String> {
     let Some(first) = causes.first() else { return vec![] };
     let is_listed = causes.iter().all(|cause| matches!(cause, Cause::Mistake(_)));

@@ -25,8 +25,8 @@ pub(crate) fn find_facts(comparison: &Comparison) -> Vec<String> {
     let regions = scene.map(|scene| count_regions(comparison, scene));
     let is_varied = is_varied(&comparison.wrong);
     let varied = scene.filter(|_| is_varied);
-    // White areas may also come from too much light. So if a curve fits, we don't go on to look for
-    // undrawn pixels.
+    // White areas may also come from too much light, which a curve describes. So if a curve fits,
+    // we don't look for undrawn pixels.
     let curve = varied.and_then(|scene| {
         byte_curve_sentence(comparison, scene).or_else(|| byte_map_sentence(comparison, scene))
     });

@@ -75,7 +75,7 @@ fn locked_name_parser() -> PossibleValuesParser {
 /// An error of any task. The program only prints it.
 type AnyError = Box<dyn Error + Send + Sync>;
 
-/// What the program is asked to do. Each task is a use of the program with options of its own.
+/// What the program is asked to do.
 enum Task {
     /// `check FILE`: checks one picture.
     CheckFile { file: PathBuf, expected: ExpectedPicture },
@@ -104,8 +104,8 @@ impl Task {
     /// Returns the task that the arguments describe. Reads the file with the names of a class if
     /// there is one.
     ///
-    /// The options that decide (a file, `--in`, `--out`) exclude each other, and clap has refused
-    /// any option that doesn't belong to the task.
+    /// The arguments that select a task (a file, `--in`, `--out`) exclude each other, and clap has
+    /// rejected every option that doesn't belong to the task.
     fn from_arguments(arguments: Arguments) -> Result<Self, AnyError> {
         let Arguments { file, name, folder, scene, names, out, answers, secret, require, .. } =
             arguments;

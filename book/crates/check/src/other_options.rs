@@ -31,8 +31,8 @@ const ROUNDING: f64 = 1e-6;
 const OBJECT_TOLERANCE: f64 = 64.0;
 const COARSE_COLUMNS: u32 = 64;
 
-/// We count a border pixel's bytes as sky if the pixel is as blue as the sky. We accept that up to
-/// one in this many of those bytes belongs to an object instead.
+/// A border pixel counts as sky if it is as blue as the sky. Among the bytes of these pixels, up to
+/// one in this many may belong to an object instead.
 const BYTES_PER_OBJECT_BYTE: i32 = 20;
 
 /// Angles with four decimals are tried only if the bounds on the angle differ by less than this.
@@ -56,8 +56,8 @@ impl Options {
         tenths == tenths.round()
     }
 
-    /// A sentence to follow "this mistake gives this picture": a right program with these options
-    /// gives it, too.
+    /// A sentence to follow the list of causes: a right program with these options gives the
+    /// reader's picture, too.
     pub fn same_picture_sentence(&self) -> String {
         let (columns, rows) = self.size;
         let mut options = format!("--fov {}", self.fov_degrees);
@@ -192,9 +192,9 @@ fn fine_angles_that_fit_border(yours: &RgbImage) -> impl Iterator<Item = f64> {
     })
 }
 
-/// Returns the smallest and the largest number that lie in almost as many of the intervals as any
-/// number can. Without "almost", a highlight that passes for sky would mislead us, since its pixels
-/// give wrong intervals. If there are no intervals, returns 0 and infinity.
+/// Returns the smallest and the largest number that lie in almost as many intervals as any number
+/// does. Almost as many are enough, because the pixels of a highlight that passes for sky add wrong
+/// intervals. If there are no intervals, returns 0 and infinity.
 fn find_common_bounds(intervals: &[(f64, f64)]) -> (f64, f64) {
     if intervals.is_empty() {
         return (0.0, f64::INFINITY);

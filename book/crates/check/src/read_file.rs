@@ -68,7 +68,8 @@ fn read_at_most(path: &Path, max_bytes: u64) -> io::Result<FileContents> {
     Ok(if is_small { FileContents::Bytes(bytes) } else { FileContents::TooLarge })
 }
 
-/// Escapes the characters in a text that a terminal obeys, or that change the direction of writing.
+/// Escapes the characters in a text that a terminal interprets, or that change the direction of
+/// writing.
 pub fn escape_for_terminal(text: &str) -> String {
     let escape = |c: char| match is_terminal_control(c) {
         true => c.escape_default().to_string(),

@@ -10,7 +10,7 @@ const MAX_COMPARED_PIXELS: u32 = 1 << 26;
 const MIN_PIXELS: usize = 100;
 
 /// Maps the position of a pixel in our picture to its position in the turned picture. The second
-/// argument is the last column and row of ours.
+/// argument is the last column and the last row of our picture.
 type Turn = fn((u32, u32), (u32, u32)) -> (u32, u32);
 
 const TURNS: [(&str, Turn); 6] = [

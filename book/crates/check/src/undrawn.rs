@@ -17,9 +17,10 @@ const BLACK: [u8; 3] = [0; 3];
 const WHITE: [u8; 3] = [255; 3];
 
 /// Describes wrong pixels that are black or white and form a simple shape, as undrawn pixels do.
-/// Black pixels may also have any other shape if no other pixels are wrong and they cover a part of
-/// the sky, but not all of it. For white pixels, the sentence gives no reason, since they may also
-/// come from too much light.
+/// For white pixels, the sentence gives no reason, since they may also come from too much light.
+///
+/// Black pixels of any other shape are reported, too, if every wrong pixel is black, and if a part
+/// of the sky is wrong, but not all of it.
 pub(crate) fn undrawn_sentence(comparison: &Comparison) -> Option<String> {
     black_sentence(comparison).or_else(|| white_sentence(comparison))
 }
@@ -63,27 +64,27 @@ struct Shape {
 /// The likeliest reason why the pixels of a shape are black.
 #[derive(Clone, Copy)]
 enum ShapeCause {
-    /// A loop of the program left them out.
+    /// A loop in the program left them out.
     Loop,
     /// An editor put a border around a finished picture.
     Editor,
-    /// Unclear: several rectangles may be undrawn, but if other pixels are wrong, too, they may be
-    /// anything dark.
+    /// Unclear: several rectangles may be undrawn. But if pixels of other colours are wrong, too,
+    /// the rectangles may show anything dark.
     Unknown,
 }
 
-/// Whether a pixel belongs to the shape that all wrong pixels of a colour form.
+/// Whether a pixel belongs to the shape formed by all wrong pixels of a given colour.
 #[derive(Clone, Copy, PartialEq)]
 enum Membership {
-    /// It does: it is wrong and has the colour of the shape.
+    /// The pixel is wrong and has the given colour, so it belongs to the shape.
     Inside,
-    /// It may: it has the colour of the shape, but is right.
+    /// The pixel is right and has the given colour, so it may belong to the shape.
     Possible,
-    /// It doesn't: it has a different colour.
+    /// The pixel has a different colour, so it doesn't belong to the shape.
     Outside,
 }
 
-/// What a line of pixels is.
+/// The direction of a line of pixels.
 #[derive(Clone, Copy)]
 enum LineKind {
     Column,

@@ -203,7 +203,7 @@ fn read_entries(folder: &Path, max_entries: usize) -> Result<Vec<DirEntry>, Skip
 }
 
 /// Formats a name for a table or a message. Bytes that aren't UTF-8 and characters that a terminal
-/// would obey are escaped.
+/// would interpret are escaped.
 pub(crate) fn printable_name(name: &OsStr) -> String {
     let mut printable = String::new();
     for chunk in name.as_encoded_bytes().utf8_chunks() {

@@ -171,9 +171,9 @@ struct PictureRow {
 }
 
 impl PictureRow {
-    /// The feedback. If the picture has several files, it begins with the path of the file. It also
-    /// does so if the file is in a subfolder, since a person should notice when a student's folder
-    /// really holds the work of several students.
+    /// The feedback. The path of the file precedes it if the picture has several files, or if the
+    /// file is in a subfolder: that's how a person notices that a student's folder really holds the
+    /// work of several students.
     fn feedback_with_file(&self) -> String {
         let needs_path = |path: &&str| self.is_one_of_several || path.contains('/');
         let path = self.file.as_deref().filter(needs_path).unwrap_or_default();

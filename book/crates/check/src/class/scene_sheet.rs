@@ -113,7 +113,7 @@ pub fn write_sheets(
 }
 
 /// Returns the file name of a sheet, with `_` in place of characters that file systems reject or
-/// that terminals obey.
+/// terminals interpret.
 fn file_name(name: &str) -> String {
     let is_refused = |c: char| is_terminal_control(c) || "./\\:*?\"<>|".contains(c);
     format!("{}.md", name.replace(is_refused, "_"))
