@@ -135,7 +135,7 @@ pub struct Answer {
     /// All changes we know of that reproduce this picture exactly.
     pub causes: Vec<Cause>,
     /// Both pictures, if they have the same size and other options don't explain the difference.
-    pub compared: Option<ComparedPictures>,
+    pub compared_pictures: Option<ComparedPictures>,
     pub(crate) option_doubts: OptionDoubts,
 }
 
@@ -149,7 +149,7 @@ impl Answer {
             headline,
             details: vec![],
             causes: vec![],
-            compared: None,
+            compared_pictures: None,
             option_doubts: OptionDoubts::default(),
         }
     }
@@ -177,9 +177,9 @@ impl Answer {
     }
 
     /// Draws the reader's picture, ours and the difference side by side. Returns None if
-    /// [`Self::compared`] is None.
+    /// [`Self::compared_pictures`] is None.
     pub fn draw_comparison(&self) -> Option<RgbImage> {
-        let ComparedPictures { yours, ours } = self.compared.as_ref()?;
+        let ComparedPictures { yours, ours } = self.compared_pictures.as_ref()?;
         Some(draw_with_difference(yours, ours))
     }
 

@@ -85,7 +85,7 @@ fn compare(yours: ReaderPicture, target: Target) -> Answer {
         headline,
         details,
         causes,
-        compared: is_compared.then_some(ComparedPictures { yours: yours.rgb, ours }),
+        compared_pictures: is_compared.then_some(ComparedPictures { yours: yours.rgb, ours }),
         option_doubts,
     }
 }

@@ -101,7 +101,10 @@ fn difference_is_drawn_only_of_a_wrong_picture_of_the_right_size() {
     let answer = check(wrong.clone(), step.name());
     let difference = answer.draw_comparison().expect("a difference");
     assert_eq!(difference.dimensions(), (3 * 640, 360));
-    assert_eq!(answer.compared, Some(ComparedPictures { yours: wrong, ours: ours.clone() }));
+    assert_eq!(
+        answer.compared_pictures,
+        Some(ComparedPictures { yours: wrong, ours: ours.clone() })
+    );
     let other_options = step.picture()(&camera_with_fov(120.0, 640), 1);
     let small = RgbImage::new(64, 36);
     for picture in [ours.clone(), other_options, small] {

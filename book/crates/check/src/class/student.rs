@@ -165,7 +165,7 @@ fn check_file(file: &FoundFile, picture: &'static str, earlier: &[PictureReport]
         .map_err(CheckError::from)
         .and_then(|png| check_png(&png, file.printable_name(), Some(picture), read_locked_picture))
         // Keeping the pictures of a whole class would take too much memory.
-        .map(|answer| Answer { compared: None, ..answer });
+        .map(|answer| Answer { compared_pictures: None, ..answer });
     let feedback = judge(&result, earlier);
     FileReport { printable_path: file.printable_path.clone(), result, feedback }
 }
