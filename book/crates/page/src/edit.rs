@@ -1,7 +1,7 @@
 //! Replies to requests from the line editor.
 
 use crate::expressions::{
-    Expression, Fault, LineRefusal, draw_edited, draw_some_pixels, parse_expression,
+    Expression, Fault, LineRefusal, draw_some_pixels, draw_step_of_first_line, parse_expression,
 };
 use crate::{EditedLine, RequestError};
 use course::{
@@ -60,7 +60,7 @@ impl<'a> Edit<'a> {
     }
 
     /// Compiles all lines.
-    fn expressions(&self) -> Result<Vec<Expression>, LineRefusal> {
+    fn compile_lines(&self) -> Result<Vec<Expression>, LineRefusal> {
         let parse = |(place, text): &(Place, &str)| {
             let expression = parse_expression(place, text);
             expression.map_err(|refusal| LineRefusal { place: place.name, refusal })
@@ -70,17 +70,17 @@ impl<'a> Edit<'a> {
 
     /// Draws the picture, at half width and height if full size takes too many operations.
     fn draw(&self) -> Result<RgbImage, LineRefusal> {
-        let expressions = self.expressions()?;
-        let draw = |columns, operations| draw_edited(&expressions, columns, operations);
-        let is_too_long = |result: &Result<_, LineRefusal>| matches!(result, Err(error) if error.refusal.fault == Fault::OutOfOperations);
+        let expressions = self.compile_lines()?;
+        let draw = |columns, operations| draw_step_of_first_line(&expressions, columns, operations);
+        let takes_too_long = |result: &Result<_, LineRefusal>| matches!(result, Err(error) if error.refusal.fault == Fault::OutOfOperations);
         if self.columns < FULL_SIZE {
             return draw(self.columns, MAX_OPERATIONS);
         }
         // A hundredth of the pixels is enough to see that all of them would take more than twice
         // the limit. If so, don't even try full size.
-        if !is_too_long(&draw(FULL_SIZE / 10, 2 * MAX_OPERATIONS / 100)) {
+        if !takes_too_long(&draw(FULL_SIZE / 10, 2 * MAX_OPERATIONS / 100)) {
             let result = draw(FULL_SIZE, MAX_OPERATIONS);
-            if !is_too_long(&result) {
+            if !takes_too_long(&result) {
                 return result;
             }
         }
@@ -93,7 +93,7 @@ impl<'a> Edit<'a> {
         match self.draw() {
             Ok(picture) => {
                 let note = match (self.columns, picture.width()) {
-                    (FULL_SIZE, FULL_SIZE) => describe(self, &picture).unwrap_or_default(),
+                    (FULL_SIZE, FULL_SIZE) => describe_picture(self, &picture).unwrap_or_default(),
                     (FULL_SIZE, _) => "Drawn smaller, as it takes long to compute.".to_owned(),
                     _ => String::new(),
                 };
@@ -128,7 +128,7 @@ fn utf16_range(text: &str, bytes: &Range<usize>) -> Range<usize> {
 }
 
 /// Describes a picture that is right, or that a listed mistake in the edited line would produce.
-fn describe(edit: &Edit, picture: &RgbImage) -> Option<String> {
+fn describe_picture(edit: &Edit, picture: &RgbImage) -> Option<String> {
     let lines = &edit.lines;
     let (place, _) = lines.first()?;
     let (step, hash) = (place.step().name(), hash_picture(picture));
@@ -158,7 +158,7 @@ fn describe(edit: &Edit, picture: &RgbImage) -> Option<String> {
 /// whose picture shows whether a ray meets the ball, but not at which t. Returns None if this takes
 /// too long to find out.
 fn describe_later_steps(edit: &Edit) -> Option<String> {
-    let lines = edit.expressions().ok()?;
+    let lines = edit.compile_lines().ok()?;
     let blind = "This picture can't show what you changed here: it shows whether a ray meets the \
                  ball, not at which t.";
     // Per pixel, this is eight times what a picture at full size may take, because a later step may
@@ -195,18 +195,18 @@ fn describe_later_steps(edit: &Edit) -> Option<String> {
 mod tests {
     use super::*;
 
-    fn edited<const N: usize>(lines: [(&str, &str); N]) -> [EditedLine; N] {
+    fn edited_lines<const N: usize>(lines: [(&str, &str); N]) -> [EditedLine; N] {
         lines.map(|(place, text)| EditedLine { place: place.to_owned(), text: text.to_owned() })
     }
 
     fn reply<const N: usize>(columns: u32, lines: [(&str, &str); N]) -> Reply {
-        edit(columns, &edited(lines)).expect("lines of the book")
+        edit(columns, &edited_lines(lines)).expect("lines of the book")
     }
 
     #[test]
-    fn edit_that_no_page_can_have_is_an_error() {
+    fn edit_with_impossible_columns_or_lines_is_an_error() {
         let error = |columns, lines: &[EditedLine]| edit(columns, lines).expect_err("an error");
-        let lines = edited([("a", "1.0"), ("nowhere", "1.0")]);
+        let lines = edited_lines([("a", "1.0"), ("nowhere", "1.0")]);
         for columns in [0, 15, 641] {
             assert_eq!(error(columns, &lines[..1]), RequestError::Columns(columns));
         }
@@ -227,7 +227,7 @@ mod tests {
     }
 
     #[test]
-    fn fault_is_where_javascript_counts_it() {
+    fn range_of_a_fault_is_in_utf16_code_units() {
         let from_and_to = |text: &str| {
             let reply = reply(16, [("a", "1.0"), ("disc", text)]);
             let (_, rest) = reply.text.split_once("\"from\":").expect("a fault");
@@ -242,7 +242,7 @@ mod tests {
     }
 
     #[test]
-    fn branches_of_vectors_are_drawn_in_full_size() {
+    fn branches_with_vectors_are_drawn_at_full_size() {
         for (place, line) in [
             (
                 "diffuse",

@@ -138,7 +138,7 @@ mod tests {
     }
 
     #[test]
-    fn text_that_is_no_array_or_object_is_refused() {
+    fn text_that_is_not_an_array_or_object_is_refused() {
         for text in ["", "[", "]", "[[]", "[]]", "[\"]", "[\"\\\"]", "{}"] {
             assert_eq!(Json::new(text).array(), None, "{text}");
         }

@@ -337,7 +337,7 @@ mod tests {
 
     /// The scripts have no other way to find out that a request was renamed here than failing.
     #[test]
-    fn each_request_of_the_scripts_is_known() {
+    fn each_request_that_scripts_send_is_known() {
         let types = include_str!("../../../../tests/browser/theme.d.ts");
         let names: Vec<_> = types.split("request: \"").skip(1).collect();
         assert!(names.len() >= 10, "{names:?}");

@@ -82,7 +82,7 @@ struct Comparison {
 
 impl Comparison {
     /// Compares the names of an object's fields with those of its type, also in a list of objects.
-    fn add(&mut self, type_name: &'static str, object: &[(String, Json)]) {
+    fn compare(&mut self, type_name: &'static str, object: &[(String, Json)]) {
         let fields = find_fields(type_name).expect(type_name);
         self.types.insert(type_name);
         for (name, _) in object {
@@ -97,7 +97,7 @@ impl Comparison {
                     let item_type = field_type.strip_suffix("[]");
                     if let Some(item_type) = item_type.filter(|name| find_fields(name).is_some()) {
                         for item in value.array().expect(name) {
-                            self.add(item_type, &item.object().expect(item_type));
+                            self.compare(item_type, &item.object().expect(item_type));
                         }
                     }
                 }
@@ -138,7 +138,7 @@ fn replies_have_the_fields_that_the_scripts_expect() {
         if !reply.pixels.is_empty() {
             object.push(("pixels".to_owned(), Json::NULL));
         }
-        comparison.add(kind.type_name, &object);
+        comparison.compare(kind.type_name, &object);
     }
     assert_eq!(comparison.finish(), [""; 0]);
     assert_eq!(requested, kinds.iter().map(|kind| kind.name).collect());

@@ -33,7 +33,7 @@ fn main() {
 
 /// Draws mistakes with a single program, and returns the pictures of each.
 pub fn draw_mistakes(mistakes: &[&Mistake]) -> XtaskResult<Vec<DrawnPictures>> {
-    let folder = package_folder();
+    let folder = generated_package_folder();
     let _ = fs::remove_dir_all(folder.join("src"));
     write_package(mistakes)?;
     let mut cargo = cargo_command();
@@ -45,7 +45,7 @@ pub fn draw_mistakes(mistakes: &[&Mistake]) -> XtaskResult<Vec<DrawnPictures>> {
         return Err(XtaskError::MistakesNotDrawn { output, folder });
     }
     let read = |k, step: Step| {
-        let path = folder.join(format!("{}.png", picture_name(k, step)));
+        let path = folder.join(format!("{}.png", picture_path_without_extension(k, step)));
         (step, image::open(path).ok().map(|picture| picture.into_rgb8()))
     };
     let mistakes = mistakes.iter().enumerate();
@@ -76,19 +76,19 @@ pub fn title_and_file(mistake: &Mistake) -> String {
     format!("{} ({})", mistake.title, mistake.file)
 }
 
-fn package_folder() -> PathBuf {
+fn generated_package_folder() -> PathBuf {
     target_folder().join("mistakes")
 }
 
 /// The path, without an extension, where the program saves the picture of a step with mistake `k`.
-fn picture_name(k: usize, step: Step) -> String {
+fn picture_path_without_extension(k: usize, step: Step) -> String {
     format!("src/m{k}/{}", step.name())
 }
 
 /// Writes the package of the program: its manifest and lock file, a module for each mistake, and
 /// the main file.
 fn write_package(mistakes: &[&Mistake]) -> XtaskResult<()> {
-    let folder = package_folder();
+    let folder = generated_package_folder();
     let manifest = MANIFEST.to_owned() + &step_dependencies();
     let (mut modules, mut pictures) = (String::new(), String::new());
     for (k, mistake) in mistakes.iter().enumerate() {
@@ -96,7 +96,8 @@ fn write_package(mistakes: &[&Mistake]) -> XtaskResult<()> {
         for step in mistake.affected_steps() {
             write_step(&folder.join("src"), mistake, step.name(), &format!("m{k}"))?;
             modules += &format!("pub mod {};\n", step.name());
-            let (path, name) = (format!("m{k}::{}", step.name()), picture_name(k, step));
+            let (path, name) =
+                (format!("m{k}::{}", step.name()), picture_path_without_extension(k, step));
             pictures += &format!("|| {path}::draw_and_save({name:?}, {path}::picture),\n");
         }
         modules += "}\n";
@@ -109,8 +110,13 @@ fn write_package(mistakes: &[&Mistake]) -> XtaskResult<()> {
 
 /// Writes a copy of a step's library into `module`. If the mistake is in one of this step's files,
 /// the copy of that file contains the mistake.
-fn write_step(source: &Path, mistake: &Mistake, step: &str, module: &str) -> XtaskResult<()> {
-    let folder = source.join(module).join(step);
+fn write_step(
+    source_folder: &Path,
+    mistake: &Mistake,
+    step: &str,
+    module: &str,
+) -> XtaskResult<()> {
+    let folder = source_folder.join(module).join(step);
     fs::create_dir_all(&folder).map_err(XtaskError::of_file(&folder))?;
     let step_folder = workspace().join(format!("steps/{step}/src"));
     let entries = fs::read_dir(&step_folder).map_err(XtaskError::of_file(&step_folder))?;
@@ -136,8 +142,8 @@ mod tests {
     use super::*;
 
     #[test]
-    fn picture_is_named_by_its_mistake_and_its_step() {
-        assert_eq!(picture_name(7, Step::Nearest), "src/m7/step03_nearest");
+    fn picture_path_contains_the_mistake_and_the_step() {
+        assert_eq!(picture_path_without_extension(7, Step::Nearest), "src/m7/step03_nearest");
     }
 
     #[test]

@@ -31,20 +31,20 @@ pub struct DrawnMistakes {
 
 /// Draws the mistakes that have no row in the table, or lack a small picture.
 pub fn draw_new_mistakes() -> XtaskResult<()> {
-    let mut table = DrawnMistakes::read()?;
-    let new: Vec<_> = table.new_mistakes().copied().collect();
+    let mut drawn_mistakes = DrawnMistakes::read()?;
+    let new: Vec<_> = drawn_mistakes.new_mistakes().copied().collect();
     println!("Mistakes to draw: {}", new.len());
     for batch in new.chunks(BATCH_SIZE) {
         let mistakes: Vec<_> = batch.iter().map(|(_, mistake)| *mistake).collect();
         for ((key, mistake), pictures) in
             batch.iter().zip(mistake_program::draw_mistakes(&mistakes)?)
         {
-            table.insert(*key, mistake, &pictures);
+            drawn_mistakes.insert(*key, mistake, &pictures);
         }
-        table.write()?;
+        drawn_mistakes.write()?;
         println!("{} drawn", batch.len());
     }
-    table.write()
+    drawn_mistakes.write()
 }
 
 /// Hashes everything that determines a mistake's pictures: the code of its file with the mistake in
@@ -117,7 +117,7 @@ impl DrawnMistakes {
     }
 
     /// Formats the table.
-    pub fn text(&self) -> String {
+    pub fn table_text(&self) -> String {
         let right_pictures = self.right.iter().map(|(name, hash)| {
             let pictures = Step::from_name(name).map(|step| self.step_pictures(step));
             let names = pictures.into_iter().flatten().map(|(name, _)| name);
@@ -145,7 +145,7 @@ impl DrawnMistakes {
             }
         }
         let path = workspace().join("book/crates/course/mistakes/table.txt");
-        fs::write(&path, self.text()).map_err(XtaskError::of_file(&path))
+        fs::write(&path, self.table_text()).map_err(XtaskError::of_file(&path))
     }
 }
 
@@ -154,8 +154,8 @@ mod tests {
     use super::*;
     use crate::mistake_program::title_and_file;
 
-    fn new_titles(table: &DrawnMistakes) -> Vec<String> {
-        table.new_mistakes().map(|(_, mistake)| title_and_file(mistake)).collect()
+    fn new_titles(drawn_mistakes: &DrawnMistakes) -> Vec<String> {
+        drawn_mistakes.new_mistakes().map(|(_, mistake)| title_and_file(mistake)).collect()
     }
 
     #[test]
@@ -170,8 +170,8 @@ mod tests {
         let expected = [title_and_file(mistake)];
         without_row.rows.remove(&key);
         without_picture.small_pictures.remove(mistake.pictures()[0].name);
-        for table in [without_row, without_picture] {
-            let mut titles = new_titles(&table);
+        for drawn_mistakes in [without_row, without_picture] {
+            let mut titles = new_titles(&drawn_mistakes);
             titles.retain(|title| !known.contains(title));
             assert_eq!(titles, expected);
         }

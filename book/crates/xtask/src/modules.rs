@@ -13,7 +13,7 @@ const TARGET: &str = "wasm32-unknown-unknown";
 
 /// Whether the sources have changed since the modules were compiled.
 pub fn are_stale() -> XtaskResult<bool> {
-    let text = fs::read_to_string(page_folder().join("modules.txt")).unwrap_or_default();
+    let text = fs::read_to_string(page_package_folder().join("modules.txt")).unwrap_or_default();
     Ok(text.split(' ').next() != Some(&*source_hash()?))
 }
 
@@ -24,29 +24,29 @@ pub fn compile_if_stale() -> XtaskResult<()> {
     }
     let hash = source_hash()?;
     for name in WASM_MODULES {
-        let module = compile(name)?;
+        let module = compile_module(name)?;
         if let Some(folder) = find_local_folder(&module) {
             return Err(XtaskError::PathInModule { module: name, folder });
         }
         println!("{name}.wasm: {} bytes", module.len());
-        let path = page_folder().join(format!("{name}.wasm"));
+        let path = page_package_folder().join(format!("{name}.wasm"));
         fs::write(&path, module).map_err(XtaskError::of_file(&path))?;
     }
     let rustc = env::var_os("RUSTC").unwrap_or("rustc".into());
     let output = Command::new(rustc).arg("--version").output();
     let output = output.map_err(|source| XtaskError::Program { program: "rustc", source })?;
     let text = format!("{hash} {}", String::from_utf8_lossy(&output.stdout));
-    let path = page_folder().join("modules.txt");
+    let path = page_package_folder().join("modules.txt");
     fs::write(&path, text).map_err(XtaskError::of_file(&path))
 }
 
-fn compile(name: &'static str) -> XtaskResult<Vec<u8>> {
+fn compile_module(name: &'static str) -> XtaskResult<Vec<u8>> {
     let sources = registry_source_folders().into_iter().chain([target_folder(), workspace()]);
     let flags: Vec<_> =
         sources.map(|path| format!("--remap-path-prefix={}=", path.display())).collect();
     let folder = target_folder().join("wasm");
     // The crate in this folder takes the place of rayon.
-    let replacement = format!("paths=[{:?}]", page_folder().join("rayon"));
+    let replacement = format!("paths=[{:?}]", page_package_folder().join("rayon"));
     let status = cargo_command()
         .args(["rustc", "--locked", "--config", &replacement])
         .args(["--package", "page", "--lib", "--profile", "wasm"])
@@ -77,7 +77,7 @@ fn find_local_folder(module: &[u8]) -> Option<PathBuf> {
 }
 
 /// The folder of the package `page`, in which the modules are.
-pub fn page_folder() -> PathBuf {
+pub fn page_package_folder() -> PathBuf {
     workspace().join("book/crates/page")
 }
 
@@ -97,7 +97,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_module_with_a_path_of_this_machine_is_found() {
+    fn local_folder_is_found_in_a_module() {
         assert_eq!(find_local_folder(b"\0asm /rust/deps/dlmalloc-0.2.11/src/lib.rs"), None);
         let path = workspace().join("steps/step01_rays/src/lib.rs");
         let module = [b"\0asm ", path.as_os_str().as_encoded_bytes(), b" expect"].concat();

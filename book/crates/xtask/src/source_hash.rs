@@ -23,7 +23,7 @@ const SHOWN_ON_PAGES: [&str; 3] =
 pub fn source_hash() -> XtaskResult<String> {
     let mut files = ["Cargo.toml", "Cargo.lock"].map(|file| workspace().join(file)).to_vec();
     for folder in FOLDERS {
-        push_files(&workspace().join(folder), &mut files)?;
+        push_source_files(&workspace().join(folder), &mut files)?;
     }
     files.sort();
     let source_text = |path: &PathBuf| {
@@ -48,7 +48,7 @@ pub fn code_lines(code: &str) -> String {
     lines.collect::<Vec<_>>().join("\n")
 }
 
-fn push_files(folder: &Path, files: &mut Vec<PathBuf>) -> XtaskResult<()> {
+fn push_source_files(folder: &Path, files: &mut Vec<PathBuf>) -> XtaskResult<()> {
     for entry in fs::read_dir(folder).map_err(XtaskError::of_file(folder))? {
         let path = entry.map_err(XtaskError::of_file(folder))?.path();
         let end = path.extension().and_then(|end| end.to_str()).unwrap_or_default();
@@ -56,7 +56,7 @@ fn push_files(folder: &Path, files: &mut Vec<PathBuf>) -> XtaskResult<()> {
             continue;
         }
         if path.is_dir() {
-            push_files(&path, files)?;
+            push_source_files(&path, files)?;
         } else if ["rs", "toml", "txt"].contains(&end) {
             files.push(path);
         }
@@ -69,7 +69,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn comments_blank_lines_and_indentation_are_no_code() {
+    fn comments_blank_lines_and_indentation_are_not_code() {
         let code = "//! A file.\n\nfn f() {\n    // Why.\n    g(); // here\n}\n";
         assert_eq!(code_lines(code), "fn f() {\ng(); // here\n}");
     }
@@ -77,7 +77,8 @@ mod tests {
     #[test]
     fn code_and_places_are_sources_and_the_list_of_mistakes_is_not() {
         let mut files = vec![];
-        push_files(&workspace().join("book/crates/course"), &mut files).expect("readable files");
+        push_source_files(&workspace().join("book/crates/course"), &mut files)
+            .expect("readable files");
         let is_source = |end: &str| files.iter().any(|path| path.ends_with(end));
         for name in ["mistake.rs", "places.txt", "Cargo.toml"] {
             assert!(is_source(name), "{name}");

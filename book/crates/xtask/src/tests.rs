@@ -10,7 +10,7 @@ use std::fs;
 use std::io::{Write, stderr};
 
 #[test]
-fn modules_are_made_from_the_code_of_today() {
+fn modules_are_up_to_date_with_their_sources() {
     let note = "The pages' modules are older than their source code. `cargo xtask` compiles them.";
     let is_stale = modules::are_stale().expect("the sources can be read");
     assert!(!is_stale || !is_ci(), "{note}");
@@ -27,7 +27,7 @@ fn modules_export_the_functions_that_pages_call() {
     let names: HashSet<_> = calls.map(|(name, _)| name).filter(|name| name.contains('_')).collect();
     assert_eq!(names.len(), 2, "{names:?}");
     for module in WASM_MODULES {
-        let path = modules::page_folder().join(format!("{module}.wasm"));
+        let path = modules::page_package_folder().join(format!("{module}.wasm"));
         let bytes = fs::read(path).expect("a module");
         for name in &names {
             let is_exported = bytes.windows(name.len()).any(|part| part == name.as_bytes());
@@ -37,18 +37,22 @@ fn modules_export_the_functions_that_pages_call() {
 }
 
 #[test]
-fn the_table_knows_each_mistake_and_what_is_right() {
-    let table =
+fn table_of_mistakes_is_up_to_date() {
+    let drawn_mistakes =
         DrawnMistakes::read().expect("each mistake's code occurs once, and each picture is there");
-    let new: Vec<_> = table.new_mistakes().map(|(_, mistake)| title_and_file(mistake)).collect();
+    let new: Vec<_> =
+        drawn_mistakes.new_mistakes().map(|(_, mistake)| title_and_file(mistake)).collect();
     let note = "These mistakes haven't been drawn yet. `cargo xtask` draws them:";
     assert!(new.is_empty(), "{note}\n{}", new.join("\n"));
     let texts = mistake_texts().expect("a program includes the texts");
-    assert!(table.text() == texts.table, "table.txt is out of date. `cargo xtask` writes it.");
+    assert!(
+        drawn_mistakes.table_text() == texts.table,
+        "table.txt is out of date. `cargo xtask` writes it."
+    );
 }
 
 #[test]
-fn picture_of_another_name_or_step_is_drawn_again() {
+fn mistake_is_redrawn_if_the_name_or_step_of_its_picture_changes() {
     let mut mistake = mistakes()[0].clone();
     let known = redraw_key(&mistake, &[]).ok();
     let shown = mistake.shown.as_mut().expect("the book shows the first mistake");

@@ -29,7 +29,7 @@ pub fn parse_expression(place: &Place, text: &str) -> Result<Expression, Refusal
     let statements = parse_syntax(place, text)?;
     let mut compiler = Compiler { place, text, names: vec![] };
     for (name, value_type) in &place.variables {
-        let code = compiler.new_slot(*value_type, false);
+        let code = compiler.next_slot(*value_type, false);
         compiler.names.push((name.split_whitespace().collect(), code));
     }
     let part = compiler.compile_statements(&statements, 0..text.len())?;
@@ -56,7 +56,7 @@ fn find_place_fault(place: &Place, text: &str, statements: &[Stmt], part: &Part)
         Some(Fault::BlockAtStart)
     } else if is_or && has_note(PlaceNote::AfterAnd) {
         Some(Fault::OrAfterAnd)
-    } else if part.code.has_open_type && has_note(PlaceNote::MethodFollows) {
+    } else if part.code.has_ambiguous_type && has_note(PlaceNote::MethodFollows) {
         Some(Fault::UntypedValue)
     } else if part.code.value_type != place.value_type {
         Some(explain_mismatch("This has to be", part, text, place.value_type))
@@ -71,13 +71,13 @@ impl Compiler<'_> {
         let name = tokens_without_spaces(syntax);
         let code = match self.names.iter().find(|(known, _)| *known == name) {
             Some((_, code)) => code.clone(),
-            None => self.compile_unnamed(syntax)?,
+            None => self.compile_unnamed_expression(syntax)?,
         };
         Ok(Part { code, range: range_of(syntax) })
     }
 
     /// Compiles a part that isn't just the name of a value.
-    fn compile_unnamed(&mut self, syntax: &Expr) -> Result<Code, Refusal> {
+    fn compile_unnamed_expression(&mut self, syntax: &Expr) -> Result<Code, Refusal> {
         match syntax {
             Expr::Lit(literal) => return compile_literal(&literal.lit),
             Expr::Paren(paren) => return Ok(self.compile_expression(&paren.expr)?.code),
@@ -89,7 +89,7 @@ impl Compiler<'_> {
                 let name = tokens_without_spaces(&call.func);
                 let name_range = range_of(&call.func);
                 let kind = OperationKind::Path;
-                let call = Call { syntax, kind, name: &name, name_range, parts: &[] };
+                let call = Call { syntax, kind, name: &name, name_range, operands: &[] };
                 return Err(self.explain_refused_call(&call));
             }
             Expr::Assign(assignment) => return Err(self.refuse_assignment(assignment)),
@@ -100,22 +100,25 @@ impl Compiler<'_> {
             return Err(refusal);
         }
         let Operation { kind, name, operands, name_range } = split_operation(syntax)?;
-        let parts = operands.into_iter().map(|operand| self.compile_expression(operand));
-        let parts = parts.collect::<Result<Vec<_>, _>>()?;
+        let parts: Vec<_> = operands
+            .into_iter()
+            .map(|operand| self.compile_expression(operand))
+            .collect::<Result<_, _>>()?;
         let receiver = parts.first().filter(|_| kind.is_member());
         let is_into = kind == OperationKind::Method && name == "into";
-        if let Some(receiver) = receiver.filter(|receiver| receiver.code.has_open_type && !is_into)
+        if let Some(receiver) =
+            receiver.filter(|receiver| receiver.code.has_ambiguous_type && !is_into)
         {
-            return Err(self.refuse_open_type(receiver));
+            return Err(self.refuse_ambiguous_type(receiver));
         }
         if kind == OperationKind::Path && name.starts_with("DVec3") && !self.place.has_vectors {
             return refuse(name_range, Fault::NoVectors);
         }
-        self.compile_call(&Call { syntax, kind, name: &name, name_range, parts: &parts })
+        self.compile_call(&Call { syntax, kind, name: &name, name_range, operands: &parts })
     }
 
     /// Refuses a receiver such as 2.0, whose type Rust doesn't know yet.
-    fn refuse_open_type(&self, receiver: &Part) -> Refusal {
+    fn refuse_ambiguous_type(&self, receiver: &Part) -> Refusal {
         let range = receiver.range.clone();
         let literal = &self.text[range.clone()];
         let is_literal = literal.starts_with(|c: char| c.is_ascii_digit());
@@ -128,39 +131,41 @@ impl Compiler<'_> {
 
     /// Code that reads the next free slot, for a variable, or a `let` whose value differs from
     /// pixel to pixel.
-    pub fn new_slot(&self, value_type: ValueType, has_open_type: bool) -> Code {
+    pub fn next_slot(&self, value_type: ValueType, has_ambiguous_type: bool) -> Code {
         let is_slot = |code: &Code| code.constant_value().is_none();
         let slot = self.names.iter().filter(|(_, code)| is_slot(code)).count();
-        Code { computation: Computation::Slot(slot), value_type, has_open_type }
+        Code { computation: Computation::Slot(slot), value_type, has_ambiguous_type }
     }
 
     /// Compiles an operation whose operands are compiled already.
     fn compile_call(&self, call: &Call) -> Result<Code, Refusal> {
-        let Call { kind, name, parts, .. } = *call;
+        let Call { kind, name, operands, .. } = *call;
         let name_range = call.name_range.clone();
-        let types: Vec<_> = parts.iter().map(|part| part.code.value_type).collect();
+        let types: Vec<_> = operands.iter().map(|operand| operand.code.value_type).collect();
         let Some(function) = find_function(kind, name, &types) else {
             return Err(self.explain_refused_call(call));
         };
         // Rust refuses to divide by a constant 0, even if the dividend isn't constant.
-        let divisor = parts.last().and_then(|part| part.code.constant_value());
+        let divisor = operands.last().and_then(|operand| operand.code.constant_value());
         if ["/", "%"].contains(&name) && divisor == Some(Value::I32(0)) {
             return refuse(name_range, Fault::NoResult);
         }
-        let keeps_open_type =
+        let keeps_ambiguous_type =
             matches!(kind, OperationKind::Sign | OperationKind::Array | OperationKind::Index);
-        let has_open_type = keeps_open_type && parts.iter().all(|part| part.code.has_open_type);
+        let has_ambiguous_type =
+            keeps_ambiguous_type && operands.iter().all(|operand| operand.code.has_ambiguous_type);
         let constants: Option<Vec<_>> =
-            parts.iter().map(|part| part.code.constant_value()).collect();
+            operands.iter().map(|operand| operand.code.constant_value()).collect();
         if let Some(values) = constants {
             return match (function.apply)(&values) {
-                Some(value) => Ok(Code::constant(value, has_open_type)),
+                Some(value) => Ok(Code::constant(value, has_ambiguous_type)),
                 None => refuse(name_range, Fault::NoResult),
             };
         }
-        let computations: Vec<_> = parts.iter().map(|part| part.code.computation.clone()).collect();
+        let computations: Vec<_> =
+            operands.iter().map(|operand| operand.code.computation.clone()).collect();
         let computation = compile_function_call(function, &computations, name_range);
-        Ok(Code { computation, value_type: function.result, has_open_type })
+        Ok(Code { computation, value_type: function.result, has_ambiguous_type })
     }
 }
 
@@ -239,7 +244,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_the_same_at_each_pixel_is_computed_once() {
+    fn part_with_the_same_value_at_each_pixel_is_a_constant() {
         let is_constant =
             |text| matches!(compile(ValueType::F64, text), Ok(Computation::Constant(_)));
         assert!(is_constant("2.0 * (1.0 + f64::from(3))"));
@@ -267,7 +272,7 @@ mod tests {
     }
 
     #[test]
-    fn division_by_a_known_0_is_refused() {
+    fn division_by_0_and_constant_overflow_are_refused() {
         assert_eq!(compile(ValueType::I32, "k / 0").err(), Some(Fault::NoResult));
         assert_eq!(compile(ValueType::I32, "2147483647 + 1").err(), Some(Fault::NoResult));
     }

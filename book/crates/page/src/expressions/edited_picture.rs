@@ -145,7 +145,7 @@ pub fn draw_pixels(camera: &Camera, pixel: impl Fn(f64, f64) -> Rgb<u8> + Sync) 
 /// Draws the step of the first line with the reader's lines in place of the book's, within this
 /// many operations in total. Without a line, it is step 1 as in the book. An error outside the
 /// lines is attributed to the first of them.
-pub fn draw_edited(
+pub fn draw_step_of_first_line(
     lines: &[Expression],
     columns: u32,
     operations: u64,
@@ -191,8 +191,8 @@ fn draw_step(
         context.edited.set(0);
         picture
     });
-    let is_over = CONTEXT.with(|context| context.picture.replace(EditedPicture::new(vec![], 0)));
-    match is_over.refusal {
+    let finished = CONTEXT.with(|context| context.picture.replace(EditedPicture::new(vec![], 0)));
+    match finished.refusal {
         Some(refusal) => Err(refusal),
         None => Ok(picture),
     }

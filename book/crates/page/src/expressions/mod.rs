@@ -29,7 +29,7 @@ mod syntax;
 mod value;
 
 pub use compiler::parse_expression;
-pub use edited_picture::{LineRefusal, draw_edited, draw_pixels, draw_some_pixels};
+pub use edited_picture::{LineRefusal, draw_pixels, draw_some_pixels, draw_step_of_first_line};
 pub use evaluation::Expression;
 pub use refusal::{Fault, Refusal};
 pub use value::Value;

@@ -30,31 +30,32 @@ const SYNONYMS: &[(&str, &[&str])] = &[
 ];
 
 /// Returns the lowercased name, followed by the names that Rust and glam use for the same thing.
-pub fn synonyms(name: &str) -> Vec<String> {
-    let small = name.to_ascii_lowercase();
-    let row = SYNONYMS.iter().find(|(word, _)| *word == small);
+pub fn name_and_synonyms(name: &str) -> Vec<String> {
+    let lowercase = name.to_ascii_lowercase();
+    let row = SYNONYMS.iter().find(|(word, _)| *word == lowercase);
     let others = row.map_or(&[][..], |(_, names)| names).iter().map(|name| (*name).to_owned());
     let others: Vec<_> = others.collect();
-    [vec![small], others].concat()
+    [vec![lowercase], others].concat()
 }
 
 /// Returns the known name that is closest to `name`, if any is close enough. A name is close if it
 /// equals `name` ignoring case, is a synonym, is a prefix of `name`, or differs by a letter or two.
 pub fn find_near_name<'a>(name: &str, known: impl Iterator<Item = &'a str>) -> Option<&'a str> {
-    let wanted = synonyms(name);
+    let wanted = name_and_synonyms(name);
     let distance = |known: &str| {
-        let small = known.to_ascii_lowercase();
-        if let Some(index) = wanted.iter().position(|word| *word == small) {
+        let lowercase = known.to_ascii_lowercase();
+        if let Some(index) = wanted.iter().position(|word| *word == lowercase) {
             return Some(index);
         }
-        if small.len().min(name.len()) < MIN_LETTERS {
+        if lowercase.len().min(name.len()) < MIN_LETTERS {
             return None;
         }
-        let distance = strsim::osa_distance(&wanted[0], &small);
-        let may_differ = if name.len() < 6 { 1 } else { 2 };
+        let distance = strsim::osa_distance(&wanted[0], &lowercase);
+        let max_distance = if name.len() < 6 { 1 } else { 2 };
         // A synonym ranks ahead of a typo, and a typo ahead of a prefix.
-        let is_start = wanted[0].starts_with(&small) && 2 * small.len() > wanted[0].len();
-        (distance <= may_differ || is_start).then_some(10 * distance)
+        let is_long_prefix =
+            wanted[0].starts_with(&lowercase) && 2 * lowercase.len() > wanted[0].len();
+        (distance <= max_distance || is_long_prefix).then_some(10 * distance)
     };
     let distances = known.filter_map(|known| Some((distance(known)?, known)));
     distances.min_by_key(|(distance, _)| *distance).map(|(_, known)| known)

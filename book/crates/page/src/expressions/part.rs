@@ -23,16 +23,16 @@ pub struct Code {
     pub value_type: ValueType,
     /// Whether it comes from a literal such as 2.0, or from such literals alone, so that Rust
     /// doesn't know its type yet. A method can't be called on such a value.
-    pub has_open_type: bool,
+    pub has_ambiguous_type: bool,
 }
 
 impl Code {
     /// Code that has this value for every pixel.
-    pub fn constant(value: Value, has_open_type: bool) -> Self {
+    pub fn constant(value: Value, has_ambiguous_type: bool) -> Self {
         Self {
             computation: Computation::Constant(value),
             value_type: value.value_type(),
-            has_open_type,
+            has_ambiguous_type,
         }
     }
 
@@ -92,7 +92,7 @@ mod tests {
     fn parse(text: &str) -> Result<(Value, bool), Fault> {
         let literal = syn::parse_str(text).expect("a literal");
         let code = compile_literal(&literal).map_err(|refusal| refusal.fault)?;
-        Ok((code.constant_value().expect("a constant"), code.has_open_type))
+        Ok((code.constant_value().expect("a constant"), code.has_ambiguous_type))
     }
 
     #[test]

@@ -2,12 +2,12 @@
 
 use crate::expressions::compiler::Compiler;
 use crate::expressions::functions::{Function, find_function, functions};
-use crate::expressions::near_name::{find_near_name, synonyms};
+use crate::expressions::near_name::{find_near_name, name_and_synonyms};
 use crate::expressions::operation::{OperationKind, range_of, tokens_without_spaces};
 use crate::expressions::part::Part;
 use crate::expressions::refusal::{Fault, Refusal};
-use crate::expressions::statements::is_assignment;
-use crate::expressions::value::{count_values, describe_types};
+use crate::expressions::statements::is_compound_assignment;
+use crate::expressions::value::{describe_types, verb_and_count};
 use course::ValueType;
 use std::borrow::Cow;
 use std::collections::BTreeSet;
@@ -25,21 +25,21 @@ pub struct Call<'a> {
     /// The range of the name in the line.
     pub name_range: Range<usize>,
     /// The receiver, if there is one, followed by the arguments.
-    pub parts: &'a [Part],
+    pub operands: &'a [Part],
 }
 
 impl Call<'_> {
-    /// The types of the parts.
+    /// The types of the operands.
     fn types(&self) -> Vec<ValueType> {
-        self.parts.iter().map(|part| part.code.value_type).collect()
+        self.operands.iter().map(|operand| operand.code.value_type).collect()
     }
 
     /// The fields and methods of the first part.
     fn members(&self) -> impl Iterator<Item = &'static Function> {
-        self.parts.first().into_iter().flat_map(|receiver| members(receiver.code.value_type))
+        self.operands.first().into_iter().flat_map(|receiver| members(receiver.code.value_type))
     }
 
-    /// Finds a function that the operation can mean, whatever the types of its parts.
+    /// Finds a function that the operation can mean, whatever the types of its operands.
     fn find_any_function(&self) -> Option<&'static Function> {
         functions().find(|function| function.is_named(self.kind, self.name))
     }
@@ -54,7 +54,7 @@ pub fn explain_mismatch(subject: &str, part: &Part, text: &str, wanted: ValueTyp
             let is_literal = text.bytes().all(|byte| byte.is_ascii_digit() || byte == b'_');
             let cure = match is_literal {
                 true => format!("{text}.0"),
-                false => format!("f64::from{}", in_parentheses(text)),
+                false => format!("f64::from{}", ensure_parentheses(text)),
             };
             return Fault::WholeNumber { cure };
         }
@@ -95,7 +95,7 @@ fn write_member(Function { kind, name, parameters, .. }: &Function) -> String {
 }
 
 /// Puts parentheses around an expression, unless it has them already.
-fn in_parentheses(text: &str) -> String {
+fn ensure_parentheses(text: &str) -> String {
     let has_them = matches!(syn::parse_str(text), Ok(Expr::Paren(_)));
     if has_them { text.to_owned() } else { format!("({text})") }
 }
@@ -129,7 +129,7 @@ impl Compiler<'_> {
         if call.kind.is_member() && !call.members().any(|member| member.name == call.name) {
             return self.explain_unknown_member(call);
         }
-        if let Some(refusal) = self.explain_wrong_type(call) {
+        if let Some(refusal) = self.explain_single_wrong_type(call) {
             return refusal;
         }
         let refusal = |fault| Refusal { range: call.name_range.clone(), fault };
@@ -139,13 +139,13 @@ impl Compiler<'_> {
             OperationKind::Sign => self.explain_refused_sign(call),
             OperationKind::Cast => refusal(Fault::Cast),
             OperationKind::Index => refusal(Fault::Index),
-            OperationKind::Array if call.parts.len() != 3 => refusal(Fault::ArrayLength),
-            OperationKind::Array => self.explain_wrong_parts(call, &[ValueType::F64; 3]),
+            OperationKind::Array if call.operands.len() != 3 => refusal(Fault::ArrayLength),
+            OperationKind::Array => self.explain_wrong_operands(call, &[ValueType::F64; 3]),
         }
     }
 
     /// Explains the one part that has the wrong type. Returns None if more than that is wrong.
-    fn explain_wrong_type(&self, call: &Call) -> Option<Refusal> {
+    fn explain_single_wrong_type(&self, call: &Call) -> Option<Refusal> {
         let types = call.types();
         let mut wanted_types = ValueType::ALL;
         if types.contains(&ValueType::Array) {
@@ -156,11 +156,11 @@ impl Compiler<'_> {
         // The receiver of a member has the right type, because it has the member.
         let first = usize::from(call.kind.is_member());
         for value_type in wanted_types {
-            for (index, part) in call.parts.iter().enumerate().skip(first).rev() {
+            for (index, operand) in call.operands.iter().enumerate().skip(first).rev() {
                 let mut other_types = types.clone();
                 other_types[index] = value_type;
                 if find_function(call.kind, call.name, &other_types).is_some() {
-                    return Some(self.explain_part(call, part, value_type));
+                    return Some(self.explain_operand_type(call, operand, value_type));
                 }
             }
         }
@@ -168,10 +168,10 @@ impl Compiler<'_> {
     }
 
     /// Explains why a part of a call can't have the type that it has.
-    fn explain_part(&self, call: &Call, part: &Part, wanted: ValueType) -> Refusal {
+    fn explain_operand_type(&self, call: &Call, operand: &Part, wanted: ValueType) -> Refusal {
         let subject = format!("{} takes", self.name_in_line(call));
-        let fault = explain_mismatch(&subject, part, self.text, wanted);
-        Refusal { range: part.range.clone(), fault }
+        let fault = explain_mismatch(&subject, operand, self.text, wanted);
+        Refusal { range: operand.range.clone(), fault }
     }
 
     /// The name of what is called, as the line has it.
@@ -186,7 +186,7 @@ impl Compiler<'_> {
                 let fault = Fault::NoFunction { cure: self.name_in_line(call) };
                 Refusal { range: range_of(call.syntax), fault }
             }
-            Some(function) => self.explain_wrong_parts(call, function.parameters),
+            Some(function) => self.explain_wrong_operands(call, function.parameters),
             None if call.name.contains(char::is_alphanumeric) => self.explain_unknown_name(call),
             // What is called isn't a name, as in `_(d)` or `()(d)`.
             None => {
@@ -199,9 +199,9 @@ impl Compiler<'_> {
     /// Explains why an operator can't be applied.
     fn explain_refused_sign(&self, call: &Call) -> Refusal {
         let fault = match (call.find_any_function(), call.syntax) {
-            (Some(function), _) => return self.explain_wrong_parts(call, function.parameters),
+            (Some(function), _) => return self.explain_wrong_operands(call, function.parameters),
             (None, _) if call.name == "^" => Fault::Caret,
-            (None, Expr::Binary(binary)) if is_assignment(&binary.op) => {
+            (None, Expr::Binary(binary)) if is_compound_assignment(&binary.op) => {
                 Fault::CompoundAssignment(call.name.to_owned())
             }
             (None, _) => Fault::Operator(call.name.to_owned()),
@@ -225,29 +225,29 @@ impl Compiler<'_> {
             }
             (_, [first, ..]) => {
                 let same_count =
-                    members.iter().find(|member| member.parameters.len() == call.parts.len());
-                self.explain_wrong_parts(call, same_count.unwrap_or(first).parameters)
+                    members.iter().find(|member| member.parameters.len() == call.operands.len());
+                self.explain_wrong_operands(call, same_count.unwrap_or(first).parameters)
             }
             (_, []) => Refusal { range, fault: Fault::Unsupported },
         }
     }
 
-    /// Explains why the parts of a call don't fit its function, which has these parameters: there
+    /// Explains why the operands of a call don't fit its function, which has these parameters: there
     /// are too few or too many, or one has the wrong type.
-    fn explain_wrong_parts(&self, call: &Call, parameters: &[ValueType]) -> Refusal {
-        let mut pairs = call.parts.iter().zip(parameters);
-        let mismatch = pairs.find(|(part, wanted)| part.code.value_type != **wanted);
+    fn explain_wrong_operands(&self, call: &Call, parameters: &[ValueType]) -> Refusal {
+        let mut pairs = call.operands.iter().zip(parameters);
+        let mismatch = pairs.find(|(operand, wanted)| operand.code.value_type != **wanted);
         let fault = match mismatch {
-            _ if parameters.len() != call.parts.len() => {
+            _ if parameters.len() != call.operands.len() => {
                 // A receiver isn't counted.
                 let first = usize::from(call.kind.is_member());
                 Fault::Count {
                     name: self.name_in_line(call),
                     wanted: describe_types(&parameters[first..]),
-                    actual: count_values(call.parts.len() - first),
+                    actual: verb_and_count(call.operands.len() - first),
                 }
             }
-            Some((part, wanted)) => return self.explain_part(call, part, *wanted),
+            Some((operand, wanted)) => return self.explain_operand_type(call, operand, *wanted),
             None => Fault::Unsupported,
         };
         Refusal { range: call.name_range.clone(), fault }
@@ -256,21 +256,23 @@ impl Compiler<'_> {
     /// Says that a value has no such field or method, and offers the one that is nearly right, or
     /// lists those that it has.
     fn explain_unknown_member(&self, call: &Call) -> Refusal {
-        let Call { syntax, kind, name: member, parts, .. } = *call;
+        let Call { syntax, kind, name: member, operands, .. } = *call;
         let name_range = call.name_range.clone();
-        let receiver = &parts[0];
+        let receiver = &operands[0];
         let (text, value_type) = (&self.text[receiver.range.clone()], receiver.code.value_type);
-        if kind == OperationKind::Method && member == "into" && parts.len() == 1 {
+        if kind == OperationKind::Method && member == "into" && operands.len() == 1 {
             let cure = match value_type {
-                ValueType::Array => format!("DVec3::from{}", in_parentheses(text)),
-                ValueType::I32 | ValueType::Bool => format!("f64::from{}", in_parentheses(text)),
+                ValueType::Array => format!("DVec3::from{}", ensure_parentheses(text)),
+                ValueType::I32 | ValueType::Bool => {
+                    format!("f64::from{}", ensure_parentheses(text))
+                }
                 ValueType::F64 | ValueType::Vector => text.to_owned(),
             };
             return Refusal { range: range_of(syntax), fault: Fault::Into { cure } };
         }
         let name = format!(".{member}");
         let types = call.types();
-        let mut candidates = synonyms(member)
+        let mut candidates = name_and_synonyms(member)
             .into_iter()
             .filter(|name| find_function(OperationKind::Method, name, &types).is_some());
         let near = candidates.next().or_else(|| {
@@ -305,13 +307,13 @@ impl Compiler<'_> {
     }
 
     /// Says that there is no such name, and offers the one that is nearly right, or lists those
-    /// that there are. If the line calls the name as a function, the arguments are in `parts`.
+    /// that there are. If the line calls the name as a function, the arguments are in `operands`.
     fn explain_unknown_name(&self, call: &Call) -> Refusal {
-        let Call { syntax, name, parts, .. } = *call;
-        if let Some(cure) = self.write_as_method(name, parts) {
-            let has_open_type = parts[0].code.has_open_type;
+        let Call { syntax, name, operands, .. } = *call;
+        if let Some(cure) = self.write_as_method(name, operands) {
+            let has_ambiguous_type = operands[0].code.has_ambiguous_type;
             let fault =
-                if has_open_type { Fault::Function { cure } } else { Fault::Method { cure } };
+                if has_ambiguous_type { Fault::Function { cure } } else { Fault::Method { cure } };
             return Refusal { range: range_of(syntax), fault };
         }
         let fault = match self.find_near_name_or_path(name) {
@@ -334,23 +336,23 @@ impl Compiler<'_> {
 
     /// Rewrites a call such as `sqrt(d)` as the call of a method, `d.sqrt()`. Returns None if the
     /// first argument has no method of this name.
-    fn write_as_method(&self, name: &str, parts: &[Part]) -> Option<String> {
+    fn write_as_method(&self, name: &str, operands: &[Part]) -> Option<String> {
         let last = name.rsplit("::").next().unwrap_or_default();
-        let (first, others) = parts.split_first()?;
+        let (first, others) = operands.split_first()?;
         let value_type = first.code.value_type.name();
-        let types: Vec<_> = parts.iter().map(|part| part.code.value_type).collect();
-        let mut methods = synonyms(last);
+        let types: Vec<_> = operands.iter().map(|operand| operand.code.value_type).collect();
+        let mut methods = name_and_synonyms(last);
         methods.retain(|method| is_method(first.code.value_type, method));
         let fits = |method: &&String| find_function(OperationKind::Method, method, &types);
         let method = methods.iter().find(|method| fits(method).is_some());
-        let texts = others.iter().map(|part| &self.text[part.range.clone()]);
+        let texts = others.iter().map(|operand| &self.text[operand.range.clone()]);
         let others = match method {
             Some(_) => texts.collect::<Vec<_>>().join(", "),
             None => "…".to_owned(),
         };
         let method = method.or(methods.first())?;
         let text = &self.text[first.range.clone()];
-        Some(if first.code.has_open_type {
+        Some(if first.code.has_ambiguous_type {
             // A literal such as 2.0 has no methods, because Rust doesn't know its type yet.
             let comma = if others.is_empty() { "" } else { ", " };
             format!("{value_type}::{method}({text}{comma}{others})")
@@ -408,13 +410,13 @@ impl Compiler<'_> {
             links.push(inner);
         }
         let is_name = |name: &str| self.names.iter().any(|(known, _)| *known == name);
-        let is_start = |name: &str| {
+        let begins_name = |name: &str| {
             let rest = |(known, _): &(String, _)| known.strip_prefix(name).map(str::to_owned);
             self.names.iter().any(|known| rest(known).is_some_and(|rest| rest.starts_with('.')))
         };
         let names: Vec<_> = links.iter().map(|link| tokens_without_spaces(*link)).collect();
         let root = names.last()?;
-        if !is_start(root) || names.iter().any(|name| is_name(name)) {
+        if !begins_name(root) || names.iter().any(|name| is_name(name)) {
             return None;
         }
         let variables = || self.names.iter().map(|(known, _)| &**known);
@@ -426,7 +428,7 @@ impl Compiler<'_> {
             Some((range, Fault::NearName { name, near }))
         });
         let (range, fault) = near.unwrap_or_else(|| {
-            let index = names.iter().rposition(|name| !is_start(name)).unwrap_or(0);
+            let index = names.iter().rposition(|name| !begins_name(name)).unwrap_or(0);
             let range = range_of(links[index]);
             let name = self.text[range.clone()].to_owned();
             let start = format!("{root}.");
@@ -434,7 +436,7 @@ impl Compiler<'_> {
             let known: Vec<_> = known.map(|known| self.name_as_in_places(known)).collect();
             let cure = format!("Of {root}, there is:\n{}", known.join(", "));
             let fault = match links[index] {
-                _ if is_start(&names[index]) => Fault::PartOfName { name, cure },
+                _ if begins_name(&names[index]) => Fault::PartOfName { name, cure },
                 Expr::MethodCall(_) => Fault::UnknownCall { name, cure },
                 _ => Fault::UnknownName { name, cure },
             };
@@ -453,7 +455,7 @@ impl Compiler<'_> {
         let is_method =
             |name: &String| ValueType::ALL.into_iter().any(|kind| is_method(kind, name));
         let is_known = functions().any(|function| function.is_named(OperationKind::Path, &name));
-        if is_known || synonyms(last).iter().any(is_method) {
+        if is_known || name_and_synonyms(last).iter().any(is_method) {
             return None;
         }
         let mut arguments = call.args.iter();
@@ -462,7 +464,13 @@ impl Compiler<'_> {
         has_no_value.then(|| {
             let name_range = range_of(&call.func);
             let kind = OperationKind::Path;
-            self.explain_unknown_name(&Call { syntax, kind, name: &name, name_range, parts: &[] })
+            self.explain_unknown_name(&Call {
+                syntax,
+                kind,
+                name: &name,
+                name_range,
+                operands: &[],
+            })
         })
     }
 }
@@ -486,7 +494,7 @@ mod tests {
         for (text, in_them) in
             [("a + b", "(a + b)"), ("(a + b)", "(a + b)"), ("(a) + (b)", "((a) + (b))")]
         {
-            assert_eq!(in_parentheses(text), in_them);
+            assert_eq!(ensure_parentheses(text), in_them);
         }
     }
 
@@ -501,7 +509,7 @@ mod tests {
     }
 
     #[test]
-    fn member_is_written_as_a_line_has_it() {
+    fn member_is_written_as_in_a_line() {
         let write = |value_type, name| {
             write_member(members(value_type).find(|known| known.name == name).expect(name))
         };
@@ -515,7 +523,7 @@ mod tests {
         let places = all_listed_places();
         let place = places.iter().find(|place| place.name == "normal").expect("a place");
         let names = ["sphere.centre", "f64::from(n)"];
-        let code = |compiler: &Compiler| compiler.new_slot(ValueType::F64, false);
+        let code = |compiler: &Compiler| compiler.next_slot(ValueType::F64, false);
         let mut compiler = Compiler { place, text: "", names: vec![] };
         compiler.names = names.map(|name| (name.to_owned(), code(&compiler))).into();
         for (name, near) in [

@@ -14,20 +14,20 @@ use std::rc::Rc;
 use syn::{BinOp, Expr, ExprAssign, ExprIf, Ident, LocalInit, Pat, PatIdent, Stmt, Type};
 
 /// Whether an operator such as += changes its left operand.
-pub fn is_assignment(operator: &BinOp) -> bool {
+pub fn is_compound_assignment(operator: &BinOp) -> bool {
     let sign = tokens_without_spaces(operator);
     sign.ends_with('=') && !["==", "!=", "<=", ">="].contains(&&*sign)
 }
 
 /// The expression that gives a block or the first branch of an `if` its value, without the braces.
-fn value_of(syntax: &Expr) -> &Expr {
+fn tail_expression(syntax: &Expr) -> &Expr {
     let statements = match syntax {
         Expr::Block(block) => &block.block.stmts,
         Expr::If(branches) => &branches.then_branch.stmts,
         _ => return syntax,
     };
     match statements.last() {
-        Some(Stmt::Expr(value, None)) => value_of(value),
+        Some(Stmt::Expr(value, None)) => tail_expression(value),
         _ => syntax,
     }
 }
@@ -44,7 +44,8 @@ impl Compiler<'_> {
         let condition = self.compile_expression(&branches.cond)?;
         let then = &branches.then_branch;
         let then = self.compile_statements(&then.stmts, range_of(then))?;
-        let other = Part { range: range_of(value_of(other)), ..self.compile_expression(other)? };
+        let other =
+            Part { range: range_of(tail_expression(other)), ..self.compile_expression(other)? };
         for (part, wanted) in [(&condition, ValueType::Bool), (&other, then.code.value_type)] {
             if part.code.value_type != wanted {
                 let fault = explain_mismatch("if takes", part, self.text, wanted);
@@ -52,8 +53,8 @@ impl Compiler<'_> {
             }
         }
         let (condition, then, other) = (condition.code, then.code, other.code);
-        let (value_type, has_open_type) =
-            (then.value_type, then.has_open_type && other.has_open_type);
+        let (value_type, has_ambiguous_type) =
+            (then.value_type, then.has_ambiguous_type && other.has_ambiguous_type);
         let computation = match condition.constant_value() {
             Some(Value::Bool(true)) => then.computation,
             Some(_) => other.computation,
@@ -69,7 +70,7 @@ impl Compiler<'_> {
                 }))
             }
         };
-        Ok(Code { computation, value_type, has_open_type })
+        Ok(Code { computation, value_type, has_ambiguous_type })
     }
 
     /// Compiles the remaining statements of the block at `range`. Their value is that of the last
@@ -86,7 +87,7 @@ impl Compiler<'_> {
             [Stmt::Expr(Expr::Assign(assignment), _), ..] => {
                 return refuse(range_of(&assignment.eq_token), Fault::Reassignment);
             }
-            [Stmt::Expr(Expr::Binary(binary), _), ..] if is_assignment(&binary.op) => {
+            [Stmt::Expr(Expr::Binary(binary), _), ..] if is_compound_assignment(&binary.op) => {
                 return refuse(range_of(&binary.op), Fault::Reassignment);
             }
             [Stmt::Expr(_, Some(semicolon))] => {
@@ -109,12 +110,12 @@ impl Compiler<'_> {
         if let Some(type_name) = type_name {
             self.check_type(ident, type_name, &part)?;
         }
-        let has_open_type = part.code.has_open_type && type_name.is_none();
-        let value = Code { has_open_type, ..part.code };
+        let has_ambiguous_type = part.code.has_ambiguous_type && type_name.is_none();
+        let value = Code { has_ambiguous_type, ..part.code };
         let is_constant = value.constant_value().is_some();
         let named_value = match is_constant {
             true => value.clone(),
-            false => self.new_slot(value.value_type, value.has_open_type),
+            false => self.next_slot(value.value_type, value.has_ambiguous_type),
         };
         self.add_name(ident, named_value)?;
         let Part { code, range } = self.compile_statements(rest, range)?;
@@ -204,13 +205,14 @@ mod tests {
     use super::*;
 
     #[test]
-    fn only_an_assignment_changes_its_left_operand() {
-        let is_assignment = |sign| is_assignment(&syn::parse_str(sign).expect(sign));
+    fn only_a_compound_assignment_changes_its_left_operand() {
+        let is_compound_assignment =
+            |sign| is_compound_assignment(&syn::parse_str(sign).expect(sign));
         for sign in ["+=", "%=", "<<="] {
-            assert!(is_assignment(sign), "{sign}");
+            assert!(is_compound_assignment(sign), "{sign}");
         }
         for sign in ["+", "==", "!=", "<=", ">=", "<"] {
-            assert!(!is_assignment(sign), "{sign}");
+            assert!(!is_compound_assignment(sign), "{sign}");
         }
     }
 }

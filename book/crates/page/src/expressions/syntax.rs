@@ -61,7 +61,7 @@ fn find_last_comment(text: &str) -> Option<usize> {
 }
 
 /// Refuses characters that no line may contain, and lines that are too long.
-fn refuse_unreadable_text(text: &str, ends_row: bool) -> Result<(), Refusal> {
+fn refuse_unreadable_text(text: &str, allows_line_comment: bool) -> Result<(), Refusal> {
     if text.len() > MAX_LENGTH {
         return refuse(0..text.len(), Fault::LongText);
     }
@@ -73,7 +73,7 @@ fn refuse_unreadable_text(text: &str, ends_row: bool) -> Result<(), Refusal> {
     if let Some((at, sign)) = text.char_indices().find(|(_, sign)| is_unreadable(*sign)) {
         return refuse(at..at + sign.len_utf8(), Fault::UnreadableSign(sign));
     }
-    if let Some(at) = find_last_comment(text).filter(|_| !ends_row) {
+    if let Some(at) = find_last_comment(text).filter(|_| !allows_line_comment) {
         return refuse(at..at + 2, Fault::LineComment);
     }
     for (sign, fault) in [("<-", Fault::LeftArrow), ("?", Fault::QuestionMark)] {
@@ -137,7 +137,7 @@ mod tests {
     }
 
     #[test]
-    fn text_that_has_no_tokens_is_distinguished_from_a_wrong_expression() {
+    fn lexical_errors_are_distinguished_from_syntax_errors() {
         assert_eq!(explain("a * (b + c"), (4..5, Fault::UnclosedBracket));
         assert_eq!(explain("a) * b"), (1..2, Fault::UnopenedBracket));
         assert_eq!(explain("a * /* b"), (4..5, Fault::Unreadable));

@@ -54,7 +54,7 @@ pub fn describe_types(types: &[ValueType]) -> String {
 }
 
 /// Returns the verb and the count for a sentence about the values, such as `are two`.
-pub fn count_values(count: usize) -> String {
+pub fn verb_and_count(count: usize) -> String {
     format!("{} {}", if count < 2 { "is" } else { "are" }, count_word(count))
 }
 

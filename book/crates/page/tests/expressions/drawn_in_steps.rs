@@ -7,7 +7,7 @@ use course::{
     Place, Step, all_listed_places, cargo_command, crate_as_module, step_dependencies,
     target_folder, workspace,
 };
-use page::expressions::{draw_edited, parse_expression};
+use page::expressions::{draw_step_of_first_line, parse_expression};
 use std::collections::BTreeSet;
 use std::fs;
 use std::hash::{DefaultHasher, Hash, Hasher};
@@ -34,14 +34,14 @@ fn print_hash(picture: image::RgbImage) {
 const COLUMNS: u32 = 64;
 
 /// The accepted lines that draw a picture, without duplicates, each with the hash of its picture.
-fn drawn_lines() -> Vec<(Place, String, u64)> {
+fn accepted_lines_with_hashes() -> Vec<(Place, String, u64)> {
     let mut known_lines = BTreeSet::new();
     let lines = include_str!("lines.txt").lines().filter_map(|line| {
         let (name, text) = line.split_once(' ')?;
         let place = all_listed_places().into_iter().find(|place| place.name == name)?;
         let text = cure_line(&place, text);
         let line = parse_expression(&place, &text).ok()?;
-        let picture = draw_edited(&[line], COLUMNS, u64::MAX).ok()?;
+        let picture = draw_step_of_first_line(&[line], COLUMNS, u64::MAX).ok()?;
         let mut hasher = DefaultHasher::new();
         picture.as_raw().hash(&mut hasher);
         known_lines.insert(format!("{name} {text}")).then(|| (place, text, hasher.finish()))
@@ -50,9 +50,9 @@ fn drawn_lines() -> Vec<(Place, String, u64)> {
 }
 
 /// Writes the step of a place with a line in it as a module of this name.
-fn write_step(source: &Path, place: &Place, text: &str, module: &str) {
+fn write_step(source_folder: &Path, place: &Place, text: &str, module: &str) {
     let step = place.step().name();
-    let folder = source.join(module);
+    let folder = source_folder.join(module);
     fs::create_dir_all(&folder).expect("a folder");
     for file in workspace().join("steps").join(step).join("src").read_dir().expect("a folder") {
         let path = file.expect("a file").path();
@@ -74,7 +74,7 @@ fn accepted_lines_draw_the_same_picture_in_their_steps() {
     let _ = fs::remove_dir_all(folder.join("src"));
     let manifest = MANIFEST.to_owned() + &step_dependencies();
     let (mut modules, mut calls) = (String::new(), String::new());
-    let lines = drawn_lines();
+    let lines = accepted_lines_with_hashes();
     for (index, (place, text, _)) in lines.iter().enumerate() {
         let module = format!("m{index}");
         write_step(&folder.join("src"), place, text, &module);

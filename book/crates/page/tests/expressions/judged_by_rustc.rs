@@ -21,15 +21,15 @@ const PROGRAM: &str = "#![allow(warnings)] use glam::DVec3; use std::panic::*; f
     set_hook(Box::new(|_| {})); for f in ALL { println!(\"{}\", catch_unwind(|| f(0.75, -3.5, \
     DVec3::new(0.5, -0.25, 2.0), DVec3::Z, -3, true)).unwrap_or(\"stop\".to_owned())) } }\n";
 
-/// Writes a random line whose type has a name that begins with `letter`. In a pattern from
+/// Writes a random line whose type has a name that begins with `type_initial`. In a pattern from
 /// patterns.txt, $ and a letter stand for a line of that type, ; stands for a comma, and # for a
 /// semicolon. A list whose name ends with ? contains typical slips, most of which are refused with
 /// a cure.
-fn write_random_line(rng: &mut Rng, letter: &str, depth: usize) -> String {
+fn write_random_line(rng: &mut Rng, type_initial: &str, depth: usize) -> String {
     let is_wrong = rng.u8(..) < 5;
     let lists = include_str!("patterns.txt").lines().filter_map(|line| line.split_once(": "));
-    let is_slip = depth > 0 && "fDb".contains(letter) && rng.u8(..) < 20;
-    let lists = lists.filter(|(name, _)| is_wrong || name.starts_with(letter));
+    let is_slip = depth > 0 && "fDb".contains(type_initial) && rng.u8(..) < 20;
+    let lists = lists.filter(|(name, _)| is_wrong || name.starts_with(type_initial));
     let lists = lists.filter(|(name, _)| name.ends_with('?') == is_slip);
     let patterns = lists.flat_map(|(_, list)| list.split(", "));
     let patterns: Vec<_> = patterns.take(if depth == 0 { 3 } else { usize::MAX }).collect();
@@ -46,7 +46,7 @@ fn write_random_line(rng: &mut Rng, letter: &str, depth: usize) -> String {
 }
 
 /// Asks rustc for the value of each line, which is None if rustc refuses the line.
-fn ask_rustc(lines: &[(&str, String)]) -> Vec<Option<String>> {
+fn evaluate_with_rustc(lines: &[(&str, String)]) -> Vec<Option<String>> {
     let folder = target_folder().join("judge");
     fs::create_dir_all(folder.join("src")).expect("a folder");
     fs::copy(workspace().join("Cargo.lock"), folder.join("Cargo.lock")).expect("a copy");
@@ -86,7 +86,7 @@ fn ask_rustc(lines: &[(&str, String)]) -> Vec<Option<String>> {
 
 #[test]
 #[ignore = "compiles a thousand lines"]
-fn rustc_judges_made_lines() {
+fn random_lines_have_the_values_that_rustc_gives_them() {
     let mut rng = Rng::with_seed(7);
     let mut lines = vec![];
     while lines.len() < 1000 {
@@ -118,7 +118,7 @@ fn rustc_judges_made_lines() {
     let cure_count = cured_lines.len();
     lines.extend(cured_lines);
     let (mut wrong, mut only_here, mut equal) = (String::new(), String::new(), 0);
-    let (mut equal_cures, judged_lines) = (0, ask_rustc(&lines));
+    let (mut equal_cures, judged_lines) = (0, evaluate_with_rustc(&lines));
     for (index, ((kind, text), judged)) in lines.iter().zip(judged_lines).enumerate() {
         place.value_type = parse_type(kind);
         let value = parse_expression(&place, text).and_then(|line| {
@@ -126,8 +126,8 @@ fn rustc_judges_made_lines() {
             line.evaluate(&values).ok_or(no_result)
         });
         // The program prints bare values, without the names of our variants.
-        let value =
-            value.map(|value| format!("{value:?}").split_once('(').expect("one").1.to_owned());
+        let value = value
+            .map(|value| format!("{value:?}").split_once('(').expect("a parenthesis").1.to_owned());
         let judged = judged.map(|value| if value == "stop" { value } else { value + ")" });
         match (judged.as_deref(), value) {
             (None | Some("stop"), Err(_)) => {}

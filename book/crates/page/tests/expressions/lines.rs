@@ -2,7 +2,7 @@
 //! draw. The part that is wrong is shown as ⟦wrong⟧.
 
 use course::{Place, all_listed_places};
-use page::expressions::{Fault, Refusal, draw_edited, parse_expression};
+use page::expressions::{Fault, Refusal, draw_step_of_first_line, parse_expression};
 use page::{EditedLine, Request, try_reply};
 use std::ops::Range;
 
@@ -69,7 +69,7 @@ fn draw(name: &str, text: &str) -> Result<(), Refusal> {
 fn draw_within(name: &str, text: &str, operations: u64) -> Result<(), Refusal> {
     let place = all_listed_places().into_iter().find(|place| place.name == name);
     let line = parse_expression(&place.expect("a place"), text)?;
-    draw_edited(&[line], 64, operations).map(|_| ()).map_err(|line| line.refusal)
+    draw_step_of_first_line(&[line], 64, operations).map(|_| ()).map_err(|line| line.refusal)
 }
 
 #[test]
@@ -91,7 +91,7 @@ fn operations_are_counted_where_they_are_evaluated() {
 }
 
 #[test]
-fn too_long_text_is_refused() {
+fn long_text_and_slow_line_are_refused() {
     for (text, words) in [
         ("-".repeat(10_000), "longer than a line"),
         (format!("1.0{}", "+1e300%v.x".repeat(3)), "longer than a page"),
@@ -103,7 +103,7 @@ fn too_long_text_is_refused() {
 }
 
 #[test]
-fn text_is_too_long_from_251_bytes_on() {
+fn text_longer_than_250_bytes_is_refused() {
     let longest = format!("{:250}", "v.dot(v)");
     assert_eq!(draw("a", &longest), Ok(()));
     assert!(draw("a", &(longest + " ")).is_err());
@@ -119,7 +119,7 @@ fn reply_text(lines: &[(&str, &str)]) -> String {
 }
 
 #[test]
-fn reply_is_about_the_lines_and_no_others() {
+fn reply_says_what_the_edited_lines_change_or_what_is_wrong() {
     let cases: [(&[(&str, &str)], &str); 13] = [
         (&[("near", "(-b - d.sqrt()) / (2.0 * a) + 0.1")], "The picture of step 4 would show it"),
         (&[("near", "-(-b - d.sqrt()) / (2.0 * a)")], "The picture of step 3 would show it"),
@@ -151,7 +151,7 @@ fn reply_is_about_the_lines_and_no_others() {
 }
 
 #[test]
-fn line_can_be_read_at_each_letter_that_is_typed() {
+fn fault_in_an_unfinished_line_has_a_range_within_it() {
     for line in include_str!("lines.txt").lines() {
         let (name, text) = line.split_once(' ').expect("a place and a text");
         let place = all_listed_places().into_iter().find(|place| place.name == name);

@@ -6,7 +6,7 @@ use course::{
     Mistake, Place, TableRow, all_listed_places, hash_picture, hashes_of_right_pictures,
     mistakes_with_rows, workspace,
 };
-use page::expressions::{draw_edited, parse_expression};
+use page::expressions::{draw_step_of_first_line, parse_expression};
 use std::{fs, iter::once};
 
 /// Draws the book's code at every place, and a tenth of the listed mistakes that change one place
@@ -19,7 +19,7 @@ fn places_and_listed_mistakes_are_drawn_by_an_edited_line() {
         for (text, expected) in known_codes_with_hashes(&place).into_iter().step_by(step) {
             count += 1;
             let picture = parse_expression(&place, &text).and_then(|expression| {
-                draw_edited(&[expression], 640, u64::MAX).map_err(|line| line.refusal)
+                draw_step_of_first_line(&[expression], 640, u64::MAX).map_err(|line| line.refusal)
             });
             let line = format!("{}: {text}", place.name);
             match picture {
