@@ -37,7 +37,7 @@ pub enum Fault {
     UnreadableSign(char),
     #[error("This comment would hide what follows in the listing's row: write /* … */.")]
     LineComment,
-    #[error("Rust reads <- as one sign: put a blank after the <.")]
+    #[error("Rust reads <- as one sign: put a space after the <.")]
     LeftArrow,
     #[error("For ? :, Rust has if … {{ … }} else {{ … }}.")]
     QuestionMark,
@@ -154,7 +154,7 @@ pub enum Fault {
         capitalise(describe_type(*.owner))
     )]
     OtherReceiver { name: String, owner: ValueType, receiver: ValueType },
-    #[error("{name} isn't known here. Of {}, there is:\n{members}", describe_type(*.receiver))]
+    #[error("{name} isn't known here. {} has:\n{members}", capitalise(describe_type(*.receiver)))]
     UnknownMember { name: String, receiver: ValueType, members: String },
     #[error("{name} isn't known here. {cure}")]
     UnknownName { name: String, cure: String },

@@ -434,7 +434,7 @@ impl Compiler<'_> {
             let start = format!("{root}.");
             let known = variables().filter(|known| known.starts_with(&start));
             let known: Vec<_> = known.map(|known| self.name_as_in_places(known)).collect();
-            let cure = format!("Of {root}, there is:\n{}", known.join(", "));
+            let cure = format!("With {root}, you can write:\n{}", known.join(", "));
             let fault = match links[index] {
                 _ if begins_name(&names[index]) => Fault::PartOfName { name, cure },
                 Expr::MethodCall(_) => Fault::UnknownCall { name, cure },
