@@ -45,8 +45,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(write(Path::new(&out).join("steps.rs"), modules)?)
 }
 
-/// Reads the steps' source files, by paths such as `step01_rays/src/ray.rs`. They are sorted, so
-/// that the copy is the same on every machine.
+/// Reads the steps' source files, keyed by paths such as `step01_rays/src/ray.rs`. They are sorted,
+/// so that the copy is the same on every machine.
 fn source_files() -> Result<BTreeMap<String, String>, Box<dyn Error>> {
     let mut files = BTreeMap::new();
     for step in read_dir(STEPS)? {
@@ -62,15 +62,14 @@ fn source_files() -> Result<BTreeMap<String, String>, Box<dyn Error>> {
 /// Rewrites a source file of a step so that each place first asks for the value of the reader's
 /// line, and a failed `debug_assert!` ends the picture instead of the whole module.
 ///
-/// The steps have no hook for that question and don't get one, because the book shows every line of
-/// them. So they are compiled a second time, from a text in which a few words are replaced. That
-/// takes no parser. A place is a whole expression whose code occurs exactly once in its file, so
-/// its replacement is an expression in the same position. The function that replaces
-/// `debug_assert!` takes the same arguments: a condition and a sentence. If a step is ever written
-/// differently, the copy either fails to compile or draws a different picture, and tests compare
-/// the picture of every place with the locked one. They also report any place whose code isn't
-/// found. Here such a place is skipped, because a failing build would keep the test of the changed
-/// picture from running.
+/// The steps themselves have no hook for this, because the book shows every line of them. So they
+/// are compiled a second time, from a text in which a few words are replaced. That needs no parser.
+/// A place is a whole expression whose code occurs exactly once in its file, so its replacement is
+/// an expression in the same position. The function that replaces `debug_assert!` takes the same
+/// arguments: a condition and a sentence. If a step is ever written differently, the copy either
+/// fails to compile or draws a different picture, and tests compare the picture of every place with
+/// the locked one. They also report any place whose code isn't found. Here such a place is skipped,
+/// because a failing build would keep the test of the changed picture from running.
 fn with_editable_places(text: &str, file: &str, places: &[Place]) -> String {
     let places = places.iter().filter(|place| place.file == file);
     let found = places.filter_map(|place| Some((place.find_range(text).ok()?, place)));

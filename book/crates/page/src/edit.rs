@@ -22,8 +22,7 @@ const FULL_SIZE: u32 = PICTURE_COLUMNS;
 /// 150 ms in a browser, on top of the book's own code.
 const MAX_OPERATIONS: u64 = 4_000_000;
 
-/// The distance between the pixels that are tried in the picture of a later step, both across and
-/// down.
+/// The horizontal and vertical distance between the pixels that are tried in a later step's picture.
 const PIXEL_SPACING: u32 = 12;
 
 /// Draws a step with the reader's lines in it. Replies with the picture and the names that the
@@ -87,8 +86,8 @@ impl<'a> Edit<'a> {
         draw(FULL_SIZE / 2, MAX_OPERATIONS)
     }
 
-    /// The picture and the names that the first line may use, or what is wrong: in which line, and
-    /// in which range of it, in UTF-16 code units.
+    /// Replies with the picture and the names that the first line may use. If a line is refused,
+    /// replies with its place, the fault, and the faulty range in UTF-16 code units.
     fn reply(&self) -> Reply {
         match self.draw() {
             Ok(picture) => {
@@ -121,13 +120,14 @@ impl<'a> Edit<'a> {
     }
 }
 
-/// Converts a range of bytes of a text to UTF-16 code units, as JavaScript counts.
+/// Converts a byte range of a text to a range of UTF-16 code units, in which JavaScript counts.
 fn utf16_range(text: &str, bytes: &Range<usize>) -> Range<usize> {
     let code_units = |end: usize| text[..end].encode_utf16().count();
     code_units(bytes.start)..code_units(bytes.end)
 }
 
-/// Describes a picture that is right, or that a listed mistake in the edited line would produce.
+/// Says that a picture is right, or which listed mistake at the place of the only edited line draws
+/// the same pixels. Returns None for any other picture, and for a wrong one of a single colour.
 fn describe_picture(edit: &Edit, picture: &RgbImage) -> Option<String> {
     let lines = &edit.lines;
     let (place, _) = lines.first()?;
@@ -154,14 +154,14 @@ fn describe_picture(edit: &Edit, picture: &RgbImage) -> Option<String> {
     Some(format!("A known mistake gives the same pixels: {}.", mistake.title))
 }
 
-/// Says which later step, if any, would show what the lines change. They change no pixel of step 2,
-/// whose picture shows whether a ray meets the ball, but not at which t. Returns None if this takes
-/// too long to find out.
+/// Says which later step, if any, would show the effect of the lines. Step 2's picture can't show
+/// it, because that depends on whether a ray meets the ball, but not at which t. Returns None if
+/// drawing the later steps takes too many operations.
 fn describe_later_steps(edit: &Edit) -> Option<String> {
     let lines = edit.compile_lines().ok()?;
     let blind = "This picture can't show what you changed here: it shows whether a ray meets the \
                  ball, not at which t.";
-    // Per pixel, this is eight times what a picture at full size may take, because a later step may
+    // The limit per pixel is eight times that of a picture at full size, because a later step may
     // evaluate the lines for each of its nine balls.
     let operations = 8 * MAX_OPERATIONS / u64::from(PIXEL_SPACING * PIXEL_SPACING);
     let draw = |step: Step, lines: &[Expression]| {

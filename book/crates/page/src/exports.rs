@@ -10,8 +10,8 @@ thread_local! {
     static REPLY: RefCell<(Reply, [usize; 4])> = RefCell::default();
 }
 
-/// Allocates this many bytes for an input, and returns their address. Index 0 is for the next request, and
-/// index 1 for the file that goes with it.
+/// Allocates this many bytes for an input, and returns their address. Index 0 is for the next
+/// request, and index 1 for the file that goes with it.
 #[unsafe(no_mangle)]
 extern "C" fn allocate_input(index: usize, length: usize) -> *mut u8 {
     INPUTS.with_borrow_mut(|inputs| {

@@ -1,6 +1,6 @@
-//! A small JSON reader, which is all that requests need, as the writer in `course` is all that
-//! replies need. A value stays text until one of its methods reads it, so a part of a request that
-//! nobody reads isn't checked.
+//! A JSON reader that is just large enough for requests. The writer in `course` is its counterpart
+//! for replies. A value remains text until one of its methods parses it, so a part of a request
+//! that nobody reads isn't checked.
 
 use std::str::FromStr;
 
@@ -12,20 +12,20 @@ impl<'a> Json<'a> {
     /// The value `null`.
     pub const NULL: Self = Self("null");
 
-    /// The value that this text is, possibly between blanks.
+    /// Takes the text of one value, which may have whitespace around it.
     pub fn new(text: &'a str) -> Self {
         Self(text.trim_matches([' ', '\t', '\n', '\r']))
     }
 
-    /// Reads a number. Returns None if it is something else, or no `T`.
+    /// Reads a number. Returns None if the value isn't a number, or doesn't parse as a `T`.
     pub fn number<T: FromStr>(self) -> Option<T> {
-        // Rust would also read +1 and words, such as -inf.
+        // `str::parse` would also accept +1, and words such as -inf.
         let is_number = !self.0.starts_with('+') && self.0.ends_with(|c: char| c.is_ascii_digit());
         if is_number { self.0.parse().ok() } else { None }
     }
 
-    /// Reads a string. Half of a surrogate pair, which browsers write as an escape sequence, becomes
-    /// U+FFFD. They don't escape whole pairs.
+    /// Reads a string. An escape sequence for half of a surrogate pair becomes U+FFFD. Browsers
+    /// escape only lone halves, never whole pairs.
     pub fn string(self) -> Option<String> {
         let mut string = String::new();
         let mut chars = self.0.strip_prefix('"')?.strip_suffix('"')?.chars();

@@ -31,7 +31,7 @@ pub fn reply(request: &str, file: &[u8]) -> Reply {
     result.unwrap_or_else(Reply::from_error)
 }
 
-/// Replies to a request with the part of this package that it is for.
+/// Replies to a request, using the part of this package that handles this kind of request.
 pub fn try_reply(request: &Request, file: &[u8]) -> Result<Reply, RequestError> {
     match request {
         Request::Mistakes => {

@@ -6,12 +6,12 @@ use crate::json::Json;
 use figures::{FigureRequest, FigureRequestError};
 use thiserror::Error;
 
-/// A request from a page. Some of them come with a file.
+/// A request from a page. Some requests come with a file.
 ///
-/// A module only knows the requests that it replies to. With the others, its code would be larger.
+/// Each module only knows the requests that it replies to, which keeps its code small.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Request {
-    /// Keeps the list of mistakes, which is the file. Its texts aren't compiled into any module.
+    /// Provides the list of mistakes, which is the file. It isn't compiled into any module.
     Mistakes,
     /// Checks the file.
     #[cfg(feature = "check")]
@@ -147,7 +147,7 @@ fn parse_figure_request(name: String, fields: &Fields) -> Result<FigureRequest, 
 struct Fields<'a>(Vec<(String, Json<'a>)>);
 
 impl Fields<'_> {
-    /// Reads a field. A field that is missing is the same as null.
+    /// Reads a field. A missing field is read as null.
     fn get<T: FromJson>(&self, name: &'static str) -> Result<T, RequestError> {
         let field = self.0.iter().find(|(known, _)| known == name);
         let value = T::from_json(field.map_or(Json::NULL, |(_, value)| *value));
@@ -335,7 +335,7 @@ mod tests {
         }
     }
 
-    /// The scripts have no other way to find out that a request was renamed here than failing.
+    /// Without this test, a request that was renamed only here would first fail in a browser.
     #[test]
     fn each_request_that_scripts_send_is_known() {
         let types = include_str!("../../../../tests/browser/theme.d.ts");

@@ -16,7 +16,7 @@ static TYPES: LazyLock<String> = LazyLock::new(|| {
 /// A picture that is right for step 2, and wrong for step 1.
 const PICTURE: &[u8] = include_bytes!("../../../../tests/snapshots/step02_sphere.snap.png");
 
-/// Requests, each with a file, that are enough for a reply to have each of its fields once.
+/// Requests, each with its file. Each field of a reply occurs in the reply to at least one of them.
 const REQUESTS: [(&str, &[u8]); 15] = [
     (r#"{"request":"mistakes"}"#, b""),
     (r#"{"request":"check","fileName":"my.png","picture":"step02_sphere"}"#, PICTURE),
@@ -45,8 +45,8 @@ struct Field {
     type_name: &'static str,
 }
 
-/// Returns the fields of an interface, or None if there is none of this name. An object that is
-/// written without a name, such as `{ object: string | null }`, has fields as well.
+/// Returns the fields of the interface with this name, or None if there is none. The name may also
+/// be an object type that is written out, such as `{ object: string | null }`.
 fn find_fields(type_name: &'static str) -> Option<Vec<Field>> {
     let inside = type_name.strip_prefix('{').and_then(|rest| rest.strip_suffix('}'));
     let (mut fields, body) = match inside {
@@ -71,17 +71,19 @@ fn find_fields(type_name: &'static str) -> Option<Vec<Field>> {
     Some(fields)
 }
 
-/// What is known after some replies were compared with their types.
+/// The results of comparing replies with their types.
 #[derive(Default)]
 struct Comparison {
-    /// The types, and the fields that at least one reply had, as in `EditReply.line`.
+    /// The types of the replies and of the objects in them.
     types: BTreeSet<&'static str>,
+    /// The fields that at least one reply had, such as `EditReply.line`.
     seen: BTreeSet<String>,
     faults: Vec<String>,
 }
 
 impl Comparison {
-    /// Compares the names of an object's fields with those of its type, also in a list of objects.
+    /// Compares the names of an object's fields with those of its type. Does the same with each
+    /// object in a list.
     fn compare(&mut self, type_name: &'static str, object: &[(String, Json)]) {
         let fields = find_fields(type_name).expect(type_name);
         self.types.insert(type_name);
@@ -107,7 +109,7 @@ impl Comparison {
         }
     }
 
-    /// All faults, including each field that no reply had.
+    /// Returns all faults, including each field that no reply had.
     fn finish(mut self) -> Vec<String> {
         for type_name in self.types {
             for Field { name, .. } in find_fields(type_name).expect(type_name) {

@@ -18,8 +18,8 @@ use std::fs;
 /// one continues from there.
 const BATCH_SIZE: usize = 60;
 
-/// The mistakes, and what is known about their pictures: the rows of the table by their keys, and
-/// the small pictures by their names.
+/// All mistakes, and what is known about their pictures: the rows of the table keyed by redraw key,
+/// and the small pictures keyed by name.
 pub struct DrawnMistakes {
     /// The names and hashes of the right pictures.
     right: Vec<(&'static str, u64)>,
@@ -78,8 +78,8 @@ impl DrawnMistakes {
         Ok(Self { right, all, rows, small_pictures })
     }
 
-    /// The mistakes whose entries are out of date: they haven't been drawn since the code or the
-    /// right pictures last changed, or a small picture is missing.
+    /// The mistakes that have to be drawn: those that haven't been drawn since their code or the
+    /// right pictures last changed, and those that lack a small picture.
     pub fn new_mistakes(&self) -> impl Iterator<Item = &(u32, &'static Mistake)> {
         self.all.iter().filter(|(key, mistake)| {
             let has_picture =

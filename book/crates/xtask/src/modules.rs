@@ -1,6 +1,6 @@
 //! The WebAssembly modules for the book's pages. Each is the package `page`, compiled with one of
 //! its features. They are checked in, so that nobody needs a second compilation target to build the
-//! book. modules.txt has a hash of their sources, and the version of the compiler.
+//! book. modules.txt contains a hash of their sources, and the version of the compiler.
 
 use crate::error::{XtaskError, XtaskResult};
 use crate::source_hash::source_hash;
@@ -66,7 +66,7 @@ fn compile_module(name: &'static str) -> XtaskResult<Vec<u8>> {
 }
 
 /// Finds a folder on this machine whose path is in the module: the workspace, the target folder, or
-/// Cargo's home. With such a path, the module would differ from machine to machine. The paths of
+/// Cargo's home. A module with such a path would differ from machine to machine. The paths of
 /// the standard library's sources may stay, since they come with the compiler.
 fn find_local_folder(module: &[u8]) -> Option<PathBuf> {
     let folders = [workspace(), target_folder(), cargo_home()];
@@ -76,7 +76,7 @@ fn find_local_folder(module: &[u8]) -> Option<PathBuf> {
     })
 }
 
-/// The folder of the package `page`, in which the modules are.
+/// The folder of the package `page`, which contains the modules.
 pub fn page_package_folder() -> PathBuf {
     workspace().join("book/crates/page")
 }

@@ -11,8 +11,8 @@ use std::path::{Path, PathBuf};
 const FOLDERS: [&str; 5] =
     ["steps", "book/crates/check", "book/crates/course", "book/crates/figures", "book/crates/page"];
 
-/// The ends of the paths inside [`FOLDERS`] that aren't hashed: the file that contains the hash, the
-/// list of mistakes, which a page loads separately, and tests and benchmarks.
+/// Files and folders in [`FOLDERS`] whose paths end like this aren't hashed: the file that contains
+/// the hash, the list of mistakes (a page loads it separately), tests and benchmarks.
 const SKIPPED_NAMES: [&str; 4] = ["modules.txt", "course/mistakes", "tests", "benches"];
 
 /// Sources that a page shows for readers to copy. In these, comments and indentation count, too.

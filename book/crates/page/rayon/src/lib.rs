@@ -1,7 +1,7 @@
-//! What the steps and `check` use of rayon, on one thread.
+//! The part of rayon's API that the steps and `check` use, on one thread.
 //!
-//! A page has one thread, and the real rayon would draw on that one, too. But the compiler would
-//! repeat its code, which shares rows among threads, for each picture. That would be a fifth of
+//! A page has only one thread, so the real rayon would draw on one thread, too. But its code for
+//! sharing rows among threads would be compiled again for each picture, and make up a fifth of
 //! `check.wasm`. If the steps or `check` use more of rayon than is here, the modules don't compile.
 
 use std::convert::Infallible;
@@ -39,22 +39,22 @@ impl<T> IntoParallelRefIterator<T> for Vec<T> {
 pub struct ThreadPoolBuilder;
 
 impl ThreadPoolBuilder {
-    /// A builder.
+    /// Returns a builder.
     pub fn new() -> Self {
         Self
     }
 
-    /// The builder itself, since there is one thread.
+    /// Returns the builder unchanged, since there is always one thread.
     pub fn num_threads(self, _count: usize) -> Self {
         self
     }
 
-    /// The builder itself, since the current thread is the only one.
+    /// Returns the builder unchanged, since the current thread is the only one.
     pub fn use_current_thread(self) -> Self {
         self
     }
 
-    /// The pool.
+    /// Returns the pool.
     pub fn build(self) -> Result<ThreadPool, Infallible> {
         Ok(ThreadPool)
     }

@@ -66,7 +66,7 @@ fn find_place_fault(place: &Place, text: &str, statements: &[Stmt], part: &Part)
 }
 
 impl Compiler<'_> {
-    /// Compiles any part of the line.
+    /// Compiles an expression: the whole line or a part of it.
     pub fn compile_expression(&mut self, syntax: &Expr) -> Result<Part, Refusal> {
         let name = tokens_without_spaces(syntax);
         let code = match self.names.iter().find(|(known, _)| *known == name) {
@@ -76,7 +76,7 @@ impl Compiler<'_> {
         Ok(Part { code, range: range_of(syntax) })
     }
 
-    /// Compiles a part that isn't just the name of a value.
+    /// Compiles an expression that isn't just the name of a value.
     fn compile_unnamed_expression(&mut self, syntax: &Expr) -> Result<Code, Refusal> {
         match syntax {
             Expr::Lit(literal) => return compile_literal(&literal.lit),
@@ -117,7 +117,7 @@ impl Compiler<'_> {
         self.compile_call(&Call { syntax, kind, name: &name, name_range, operands: &parts })
     }
 
-    /// Refuses a receiver such as 2.0, whose type Rust doesn't know yet.
+    /// Refuses a receiver such as 2.0, whose type Rust can't infer before it looks up the method.
     fn refuse_ambiguous_type(&self, receiver: &Part) -> Refusal {
         let range = receiver.range.clone();
         let literal = &self.text[range.clone()];
@@ -129,8 +129,8 @@ impl Compiler<'_> {
         Refusal { range, fault }
     }
 
-    /// Code that reads the next free slot, for a variable, or a `let` whose value differs from
-    /// pixel to pixel.
+    /// Returns code that reads the next free slot. Each of the place's variables has a slot, and so
+    /// does each `let` whose value isn't constant.
     pub fn next_slot(&self, value_type: ValueType, has_ambiguous_type: bool) -> Code {
         let is_slot = |code: &Code| code.constant_value().is_none();
         let slot = self.names.iter().filter(|(_, code)| is_slot(code)).count();
@@ -169,7 +169,7 @@ impl Compiler<'_> {
     }
 }
 
-/// Makes a computation that calls a function with the results of these computations.
+/// Makes a computation that calls a function with the results of `computations`.
 fn compile_function_call(
     function: &'static Function,
     computations: &[Computation],
@@ -181,8 +181,8 @@ fn compile_function_call(
         (_, [a]) => call_with_values(function, [a.clone()], name_range),
         (_, [a, b]) => call_with_values(function, [a.clone(), b.clone()], name_range),
         (_, [a, b, c]) => call_with_values(function, [a.clone(), b.clone(), c.clone()], name_range),
-        // Unreachable: without parameters it would be a constant, and no function has more than
-        // three.
+        // Unreachable: a call without operands is constant, so it has been evaluated already, and no
+        // function has more than three parameters.
         _ => call_with_values(function, [], name_range),
     }
 }
@@ -197,8 +197,8 @@ fn short_circuit(first: Computation, second: Computation, decisive: bool) -> Com
     }))
 }
 
-/// Makes a computation that calls a function of N arguments with the results of these computations.
-/// If the function has no result, the error points to its name, at `name_range`.
+/// Makes a computation that calls a function of N arguments with the results of `computations`. If
+/// the function has no result, the error points to its name, at `name_range`.
 fn call_with_values<const N: usize>(
     function: &'static Function,
     computations: [Computation; N],
@@ -236,7 +236,7 @@ mod tests {
         Ok(expression.computation)
     }
 
-    /// The value of a line where `x` is 0.5 and `k` is 0, or None if the program would panic.
+    /// Evaluates a line with `x` = 0.5 and `k` = 0. Returns None if the program would panic.
     fn evaluate(value_type: ValueType, text: &str) -> Option<Value> {
         let mut evaluation = crate::expressions::evaluation::Evaluation::new(1000);
         let computation = compile(value_type, text).expect("a line");

@@ -12,7 +12,7 @@ use std::cell::{Cell, RefCell};
 use step01_rays::Camera;
 use thiserror::Error;
 
-/// A refusal, with the place of the line that is refused.
+/// A refusal, with the place of the refused line.
 #[derive(Clone, Debug, Error)]
 #[error("{place}: {refusal}")]
 pub struct LineRefusal {
@@ -26,11 +26,11 @@ pub struct LineRefusal {
 /// The state that the copied steps use while drawing.
 struct Context {
     /// A bit for each place, at its index in places.txt: whether the reader has edited it. The
-    /// build script makes sure that there are enough bits. In step 5, a single ray consults more
-    /// than sixty places. With a list instead of these bits, a picture on a page took twice as
-    /// long.
+    /// build script makes sure that there are enough bits. This is a bit set for speed: in step 5,
+    /// a single ray looks up more than sixty places, and with a list, a picture on a page took
+    /// twice as long.
     edited: Cell<u64>,
-    /// The distance between pixels that are drawn, both across and down. At 1, all are drawn.
+    /// The horizontal and vertical distance between the pixels that are drawn. At 1, all are.
     pixel_spacing: Cell<u32>,
     picture: RefCell<EditedPicture>,
 }
@@ -45,8 +45,8 @@ struct EditedPicture {
 }
 
 thread_local! {
-    /// The context of the picture that this thread is drawing. If there is none, all lines are the
-    /// book's. It is thread-local because the steps' functions have no parameter for it, and don't
+    /// The context of the picture that this thread is drawing. While it draws none, no place is
+    /// edited. It is thread-local because the steps' functions have no parameter for it, and don't
     /// get one, since the book shows them. Everything else is passed as an argument.
     static CONTEXT: Context = const {
         Context {
@@ -109,7 +109,9 @@ fn evaluate_line<T: Default + TryFrom<Value>>(place_index: usize, variables: &[V
     value.and_then(|value| T::try_from(value).ok()).unwrap_or_default()
 }
 
-/// Ends the picture if a development build of the reader's program would panic.
+/// Refuses the first line, which stops the drawing, unless `condition` is true. This replaces
+/// `debug_assert!` in the copied steps, at which a development build of the reader's program would
+/// panic.
 pub fn refuse_first_line_unless(condition: bool, sentence: &'static str) {
     if condition {
         return;
@@ -126,7 +128,7 @@ pub fn refuse_first_line_unless(condition: bool, sentence: &'static str) {
 }
 
 /// Draws a picture pixel by pixel until a line is refused. In the copied steps, this replaces the
-/// function of the same name, which uses all processors: our context belongs to one thread.
+/// function of the same name, which uses all processors, because our context is thread-local.
 pub fn draw_pixels(camera: &Camera, pixel: impl Fn(f64, f64) -> Rgb<u8> + Sync) -> RgbImage {
     let mut picture = RgbImage::new(camera.h_res, camera.v_res);
     let pixel_spacing = CONTEXT.with(|context| context.pixel_spacing.get());
@@ -142,9 +144,9 @@ pub fn draw_pixels(camera: &Camera, pixel: impl Fn(f64, f64) -> Rgb<u8> + Sync) 
     picture
 }
 
-/// Draws the step of the first line with the reader's lines in place of the book's, within this
-/// many operations in total. Without a line, it is step 1 as in the book. An error outside the
-/// lines is attributed to the first of them.
+/// Draws the step of the first line with the reader's lines in place of the book's. `operations` is
+/// the limit for the whole picture. Without any lines, draws step 1 as in the book. If an assertion
+/// in the step fails, the first line is refused.
 pub fn draw_step_of_first_line(
     lines: &[Expression],
     columns: u32,
@@ -154,8 +156,8 @@ pub fn draw_step_of_first_line(
     draw_step(step, lines, columns, operations)
 }
 
-/// Draws some pixels of a step's picture, at this distance from each other both across and
-/// down. The others stay black.
+/// Draws some pixels of a step's picture, `pixel_spacing` apart both horizontally and vertically.
+/// The others stay black.
 pub fn draw_some_pixels(
     step: Step,
     lines: &[Expression],

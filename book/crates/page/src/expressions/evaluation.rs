@@ -61,14 +61,14 @@ pub enum Interruption {
 
 /// The state in which lines are evaluated.
 pub struct Evaluation {
-    /// The values of the place's variables, followed by those of `let`.
+    /// The values of the place's variables, followed by those bound by `let`.
     pub slots: Vec<Value>,
     /// The number of operations that the picture has left.
     operations_left: u64,
 }
 
 impl Evaluation {
-    /// A state with this many operations to spend.
+    /// Creates a state with this many operations to spend.
     pub const fn new(operations: u64) -> Self {
         Self { slots: vec![], operations_left: operations }
     }
@@ -86,8 +86,8 @@ impl Evaluation {
     }
 
     /// Spends some of the picture's operations. A function, a method, an operator or a branch costs
-    /// one each time it is evaluated, since they all take about equally long. Only the operator `%`
-    /// may cost more. The line as a whole costs one, too. We count operations rather than measure
+    /// one each time it is evaluated, since they all take about equally long. Only a remainder may
+    /// cost more. The line as a whole costs one, too. We count operations rather than measure
     /// time so that the same line is refused on every machine.
     #[inline]
     pub fn spend(&mut self, operations: u64) -> Result<(), Interruption> {

@@ -34,8 +34,8 @@ impl Function {
         }
     }
 
-    /// Whether an operation of this kind and with this name can mean this function, if its operands
-    /// have the right types.
+    /// Whether an operation of this kind and with this name refers to this function, provided that
+    /// its operands have the right types.
     pub fn is_named(&self, kind: OperationKind, name: &str) -> bool {
         match kind {
             OperationKind::Path => self.path().is_some_and(|path| path == name),
@@ -58,8 +58,8 @@ pub fn find_function(
     functions().find(|function| function.parameters == types && function.is_named(kind, name))
 }
 
-/// The number of operations that the remainder of two `values` counts as. A remainder is computed
-/// bit by bit, so it takes long if the quotient is large.
+/// Returns how many operations it costs to compute the remainder of two `values`. A remainder is
+/// computed bit by bit, so it takes long if the quotient is large.
 pub fn remainder_operations(values: &[Value]) -> u64 {
     let operations = |a: f64, b: f64| if a.abs() > 1e15 * b.abs() { 41 } else { 1 };
     let of_vectors = |a: DVec3, b: DVec3| (0..3).map(|axis| operations(a[axis], b[axis])).sum();
@@ -97,7 +97,7 @@ macro_rules! functions {
     };
 }
 
-/// Methods of a type.
+/// Methods of a type, all with the same parameter types and result type.
 macro_rules! methods {
     ($type:ident $parameters:tt $values:tt -> $result:ident: $($name:ident)*) => {
         functions! { $(

@@ -39,7 +39,8 @@ pub fn name_and_synonyms(name: &str) -> Vec<String> {
 }
 
 /// Returns the known name that is closest to `name`, if any is close enough. A name is close if it
-/// equals `name` ignoring case, is a synonym, is a prefix of `name`, or differs by a letter or two.
+/// equals `name` ignoring case, is a synonym, differs by a letter or two, or is a prefix that makes
+/// up more than half of `name`.
 pub fn find_near_name<'a>(name: &str, known: impl Iterator<Item = &'a str>) -> Option<&'a str> {
     let wanted = name_and_synonyms(name);
     let distance = |known: &str| {

@@ -28,7 +28,7 @@ pub enum OperationKind {
 }
 
 impl OperationKind {
-    /// Whether its name belongs to the type of the first operand, which the line writes before the
+    /// Whether the operation is a field or method of its first operand, which is written before the
     /// dot.
     pub fn is_member(self) -> bool {
         matches!(self, OperationKind::Method | OperationKind::Field)
@@ -46,7 +46,7 @@ pub struct Operation<'a> {
     pub name_range: Range<usize>,
 }
 
-/// The byte range of a part of the line.
+/// Returns the byte range of this syntax within the line.
 pub fn range_of(syntax: &impl Spanned) -> Range<usize> {
     syntax.span().byte_range()
 }

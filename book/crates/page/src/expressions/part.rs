@@ -12,7 +12,7 @@ use syn::Lit;
 /// A compiled part of a line.
 pub struct Part {
     pub code: Code,
-    /// The bytes of the line that the part was compiled from.
+    /// The byte range of the line that the part was compiled from.
     pub range: Range<usize>,
 }
 
@@ -21,13 +21,13 @@ pub struct Part {
 pub struct Code {
     pub computation: Computation,
     pub value_type: ValueType,
-    /// Whether it comes from a literal such as 2.0, or from such literals alone, so that Rust
-    /// doesn't know its type yet. A method can't be called on such a value.
+    /// Whether the value comes only from literals such as 2.0, so that its type isn't inferred yet.
+    /// No method can be called on such a value.
     pub has_ambiguous_type: bool,
 }
 
 impl Code {
-    /// Code that has this value for every pixel.
+    /// Returns code that has this value for every pixel.
     pub fn constant(value: Value, has_ambiguous_type: bool) -> Self {
         Self {
             computation: Computation::Constant(value),
@@ -88,7 +88,7 @@ fn literal_text(literal: &Lit) -> String {
 mod tests {
     use super::*;
 
-    /// The value of a literal, and whether its type is still open.
+    /// Returns the value of a literal, and whether its type is still ambiguous.
     fn parse(text: &str) -> Result<(Value, bool), Fault> {
         let literal = syn::parse_str(text).expect("a literal");
         let code = compile_literal(&literal).map_err(|refusal| refusal.fault)?;

@@ -15,7 +15,7 @@ use std::iter::once;
 use std::ops::Range;
 use syn::Expr;
 
-/// An operation in a line, with the values that it is given.
+/// An operation in a line, with its compiled operands.
 pub struct Call<'a> {
     /// The whole expression.
     pub syntax: &'a Expr,
@@ -34,18 +34,18 @@ impl Call<'_> {
         self.operands.iter().map(|operand| operand.code.value_type).collect()
     }
 
-    /// The fields and methods of the first part.
+    /// The fields and methods that the first operand's type has.
     fn members(&self) -> impl Iterator<Item = &'static Function> {
         self.operands.first().into_iter().flat_map(|receiver| members(receiver.code.value_type))
     }
 
-    /// Finds a function that the operation can mean, whatever the types of its operands.
+    /// Finds a function that the operation could refer to, whatever the types of its operands.
     fn find_any_function(&self) -> Option<&'static Function> {
         functions().find(|function| function.is_named(self.kind, self.name))
     }
 }
 
-/// Explains why a value doesn't fit where another type is wanted. `subject` begins the sentence.
+/// Explains that a part should have the type `wanted`. The sentence begins with `subject`.
 pub fn explain_mismatch(subject: &str, part: &Part, text: &str, wanted: ValueType) -> Fault {
     use ValueType::{Array, Bool, F64, I32, Vector};
     let (actual, text) = (part.code.value_type, &text[part.range.clone()]);
@@ -144,7 +144,8 @@ impl Compiler<'_> {
         }
     }
 
-    /// Explains the one part that has the wrong type. Returns None if more than that is wrong.
+    /// Explains the type mismatch if the call would be valid with a different type for one operand.
+    /// Otherwise returns None.
     fn explain_single_wrong_type(&self, call: &Call) -> Option<Refusal> {
         let types = call.types();
         let mut wanted_types = ValueType::ALL;
@@ -153,7 +154,7 @@ impl Compiler<'_> {
             let vector = wanted_types.iter().position(|one| *one == ValueType::Vector);
             wanted_types[..=vector.unwrap_or(0)].rotate_right(1);
         }
-        // The receiver of a member has the right type, because it has the member.
+        // A receiver has the right type, because the field or method was found on it.
         let first = usize::from(call.kind.is_member());
         for value_type in wanted_types {
             for (index, operand) in call.operands.iter().enumerate().skip(first).rev() {
@@ -167,19 +168,19 @@ impl Compiler<'_> {
         None
     }
 
-    /// Explains why a part of a call can't have the type that it has.
+    /// Explains that an operand should have the type `wanted`.
     fn explain_operand_type(&self, call: &Call, operand: &Part, wanted: ValueType) -> Refusal {
         let subject = format!("{} takes", self.name_in_line(call));
         let fault = explain_mismatch(&subject, operand, self.text, wanted);
         Refusal { range: operand.range.clone(), fault }
     }
 
-    /// The name of what is called, as the line has it.
+    /// The name of the operation, as it is written in the line.
     fn name_in_line(&self, call: &Call) -> String {
         self.text[call.name_range.clone()].to_owned()
     }
 
-    /// Explains why a function can't be called, or a path has no value.
+    /// Explains why a path can't be called, or has no value.
     fn explain_refused_path(&self, call: &Call) -> Refusal {
         match call.find_any_function() {
             Some(Function { parameters: [], .. }) => {
@@ -209,7 +210,7 @@ impl Compiler<'_> {
         Refusal { range: call.name_range.clone(), fault }
     }
 
-    /// Explains why a member that the value does have can't be used in this way.
+    /// Explains the misuse of a field or method that the receiver does have.
     fn explain_misused_member(&self, call: &Call) -> Refusal {
         let range = call.name_range.start..range_of(call.syntax).end;
         let cure = |end| format!(".{}{end}", call.name);
@@ -334,8 +335,8 @@ impl Compiler<'_> {
         Refusal { range: call.name_range.clone(), fault }
     }
 
-    /// Rewrites a call such as `sqrt(d)` as the call of a method, `d.sqrt()`. Returns None if the
-    /// first argument has no method of this name.
+    /// Rewrites a function call such as `sqrt(d)` as a method call, `d.sqrt()`. Returns None if the
+    /// first argument has no method with this name.
     fn write_as_method(&self, name: &str, operands: &[Part]) -> Option<String> {
         let last = name.rsplit("::").next().unwrap_or_default();
         let (first, others) = operands.split_first()?;
@@ -390,7 +391,7 @@ impl Compiler<'_> {
         })
     }
 
-    /// Writes one of the place's names as it is in places.txt, with its spaces.
+    /// Returns one of the place's names as it is written in places.txt, with its spaces.
     fn name_as_in_places(&self, known: &str) -> String {
         let variables = self.place.variables.iter().map(|(name, _)| *name);
         let mut names =
@@ -398,8 +399,8 @@ impl Compiler<'_> {
         names.next().unwrap_or(known).to_owned()
     }
 
-    /// Refuses a chain such as `hit.object.name`, which begins like names of the place but isn't
-    /// one of them.
+    /// Refuses a chain such as `hit.object.name` that begins like one of the place's names, but
+    /// doesn't contain any of them.
     pub fn refuse_unknown_chain(&self, syntax: &Expr) -> Option<Refusal> {
         let mut links = vec![syntax];
         while let Some(inner) = links.last().and_then(|link| match link {

@@ -1,4 +1,4 @@
-//! Compiles `if` and `let`, which do more than call a function with their operands.
+//! Compiles `if` and `let`, which aren't calls of a function with their operands.
 
 use crate::expressions::compiler::Compiler;
 use crate::expressions::evaluation::Computation;
@@ -13,13 +13,14 @@ use std::ops::Range;
 use std::rc::Rc;
 use syn::{BinOp, Expr, ExprAssign, ExprIf, Ident, LocalInit, Pat, PatIdent, Stmt, Type};
 
-/// Whether an operator such as += changes its left operand.
+/// Whether an operator is a compound assignment such as +=.
 pub fn is_compound_assignment(operator: &BinOp) -> bool {
     let sign = tokens_without_spaces(operator);
     sign.ends_with('=') && !["==", "!=", "<=", ">="].contains(&&*sign)
 }
 
-/// The expression that gives a block or the first branch of an `if` its value, without the braces.
+/// Finds the expression whose value is that of a block, or of the first branch of an `if`. Any other
+/// expression is returned as it is.
 fn tail_expression(syntax: &Expr) -> &Expr {
     let statements = match syntax {
         Expr::Block(block) => &block.block.stmts,

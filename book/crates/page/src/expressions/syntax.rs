@@ -22,7 +22,7 @@ pub fn parse_syntax(place: &Place, text: &str) -> Result<Vec<Stmt>, Refusal> {
     let has_note = |note| place.notes.contains(&note);
     let ends_block = has_note(PlaceNote::EndsBlock);
     refuse_unreadable_text(text, ends_block || has_note(PlaceNote::EndsRow))?;
-    // Forget the lines parsed so far, all of which would otherwise stay in memory.
+    // Frees the lines parsed so far, which proc_macro2 would otherwise keep in memory.
     proc_macro2::extra::invalidate_current_thread_spans();
     let error = match syn::parse_str(text) {
         Ok(syntax) => return Ok(vec![Stmt::Expr(syntax, None)]),
@@ -60,7 +60,8 @@ fn find_last_comment(text: &str) -> Option<usize> {
     None
 }
 
-/// Refuses characters that no line may contain, and lines that are too long.
+/// Refuses characters and signs that no line may contain, and lines that are too long. A `//`
+/// comment in the last row is refused, too, unless `allows_line_comment` is true.
 fn refuse_unreadable_text(text: &str, allows_line_comment: bool) -> Result<(), Refusal> {
     if text.len() > MAX_LENGTH {
         return refuse(0..text.len(), Fault::LongText);

@@ -38,7 +38,7 @@ pub fn describe_type(value_type: ValueType) -> &'static str {
     }
 }
 
-/// Describes values of these types, such as `two vectors and one number`.
+/// Describes a list of types, such as `two vectors and one number`.
 pub fn describe_types(types: &[ValueType]) -> String {
     let groups = types.chunk_by(|a, b| a == b).map(|group| match (group.len(), group[0]) {
         (1, ValueType::Bool) => describe_type(ValueType::Bool).to_owned(),
@@ -53,7 +53,7 @@ pub fn describe_types(types: &[ValueType]) -> String {
     if groups.is_empty() { "no value".to_owned() } else { groups.join(" and ") }
 }
 
-/// Returns the verb and the count for a sentence about the values, such as `are two`.
+/// Returns the verb and the number word for a sentence that counts something, such as `are two`.
 pub fn verb_and_count(count: usize) -> String {
     format!("{} {}", if count < 2 { "is" } else { "are" }, count_word(count))
 }

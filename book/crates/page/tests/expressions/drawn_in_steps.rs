@@ -1,6 +1,6 @@
 //! Writes lines from lines.txt into copies of their steps: the lines that are accepted, and those
-//! that are accepted once their cures have been applied. rustc has to compile the copies, and these
-//! have to draw the same pictures as a page.
+//! that are accepted once their cures have been applied. The copies have to compile, and to draw
+//! the same pictures as a page.
 
 use crate::lines::cure_line;
 use course::{
@@ -33,7 +33,8 @@ fn print_hash(picture: image::RgbImage) {
 
 const COLUMNS: u32 = 64;
 
-/// The accepted lines that draw a picture, without duplicates, each with the hash of its picture.
+/// Returns the accepted lines that draw a picture, without duplicates, each with the hash of its
+/// picture.
 fn accepted_lines_with_hashes() -> Vec<(Place, String, u64)> {
     let mut known_lines = BTreeSet::new();
     let lines = include_str!("lines.txt").lines().filter_map(|line| {
@@ -49,7 +50,8 @@ fn accepted_lines_with_hashes() -> Vec<(Place, String, u64)> {
     lines.collect()
 }
 
-/// Writes the step of a place with a line in it as a module of this name.
+/// Writes a copy of the place's step as a module with this name. In the copy, `text` replaces the
+/// place's code.
 fn write_step(source_folder: &Path, place: &Place, text: &str, module: &str) {
     let step = place.step().name();
     let folder = source_folder.join(module);

@@ -21,10 +21,10 @@ const PROGRAM: &str = "#![allow(warnings)] use glam::DVec3; use std::panic::*; f
     set_hook(Box::new(|_| {})); for f in ALL { println!(\"{}\", catch_unwind(|| f(0.75, -3.5, \
     DVec3::new(0.5, -0.25, 2.0), DVec3::Z, -3, true)).unwrap_or(\"stop\".to_owned())) } }\n";
 
-/// Writes a random line whose type has a name that begins with `type_initial`. In a pattern from
-/// patterns.txt, $ and a letter stand for a line of that type, ; stands for a comma, and # for a
-/// semicolon. A list whose name ends with ? contains typical slips, most of which are refused with
-/// a cure.
+/// Writes a random line of the type whose name begins with `type_initial`. In a pattern from
+/// patterns.txt, $ and the initial of a type stand for an expression of that type, ; stands for a
+/// comma, and # for a semicolon. A list whose name ends with ? contains typical slips, most of which
+/// are refused with a cure.
 fn write_random_line(rng: &mut Rng, type_initial: &str, depth: usize) -> String {
     let is_wrong = rng.u8(..) < 5;
     let lists = include_str!("patterns.txt").lines().filter_map(|line| line.split_once(": "));
@@ -45,7 +45,7 @@ fn write_random_line(rng: &mut Rng, type_initial: &str, depth: usize) -> String 
     text
 }
 
-/// Asks rustc for the value of each line, which is None if rustc refuses the line.
+/// Compiles the lines with rustc and returns the value of each, or None if rustc refuses the line.
 fn evaluate_with_rustc(lines: &[(&str, String)]) -> Vec<Option<String>> {
     let folder = target_folder().join("judge");
     fs::create_dir_all(folder.join("src")).expect("a folder");

@@ -23,12 +23,12 @@ fn refused_lines_have_their_range_and_sentence() {
     insta::assert_snapshot!(report);
 }
 
-/// Applies the cures that the refusals of a line offer, one after the other, and returns the line
-/// that results.
+/// Applies the cures that the refusals of a line suggest, one after the other, and returns the
+/// resulting line.
 ///
 /// # Panics
 ///
-/// Panics if the code that a cure has put in is refused in its turn.
+/// Panics if the code that a cure has inserted is itself refused.
 pub fn cure_line(place: &Place, text: &str) -> String {
     let mut cured = text.to_owned();
     let mut last = None;
@@ -109,7 +109,7 @@ fn text_longer_than_250_bytes_is_refused() {
     assert!(draw("a", &(longest + " ")).is_err());
 }
 
-/// The text of the reply to edited lines, each with the name of its place.
+/// Returns the text of the reply to edited lines, each given with the name of its place.
 fn reply_text(lines: &[(&str, &str)]) -> String {
     let lines = lines
         .iter()
