@@ -81,9 +81,9 @@ fn with_editable_places(text: &str, file: &str, places: &[Place]) -> String {
         let code = &text[range.clone()];
         let values: String =
             variables.iter().map(|(name, _)| format!("({name}).into(), ")).collect();
-        let question = format!("crate::expressions::value_of_line({index}, || [{values}])");
-        let question = format!("(match {question} {{ Some(value) => value, None => {code} }})");
-        copy.replace_range(range, &question);
+        let call = format!("crate::expressions::value_of_line({index}, || [{values}])");
+        let replacement = format!("(match {call} {{ Some(value) => value, None => {code} }})");
+        copy.replace_range(range, &replacement);
     }
     copy.replace("debug_assert!(", "crate::expressions::refuse_first_line_unless(")
 }

@@ -49,13 +49,14 @@ impl<'a> Edit<'a> {
         if lines.is_empty() || lines.len() > places.len() {
             return Err(RequestError::LineCount(lines.len()));
         }
-        let lines = lines.iter().map(|EditedLine { place: name, text }| {
-            let place = places.iter().find(|place| place.name == name).cloned();
-            let place = place.ok_or_else(|| RequestError::UnknownPlace(name.clone()));
-            place.map(|place| (place, &**text))
-        });
-        let lines = lines.collect::<Result<_, _>>()?;
-        Ok(Self { columns, lines })
+        let pair_with_place = |line: &'a EditedLine| {
+            let place = places.iter().find(|place| place.name == line.place);
+            match place {
+                Some(place) => Ok((place.clone(), &*line.text)),
+                None => Err(RequestError::UnknownPlace(line.place.clone())),
+            }
+        };
+        Ok(Self { columns, lines: lines.iter().map(pair_with_place).collect::<Result<_, _>>()? })
     }
 
     /// Compiles all lines.
@@ -184,10 +185,11 @@ fn describe_later_steps(edit: &Edit) -> Option<String> {
         }
     }
     let count = FULL_SIZE.div_ceil(PIXEL_SPACING) * (FULL_SIZE * 9 / 16).div_ceil(PIXEL_SPACING);
-    let count = format!("{},{:03}", count / 1000, count % 1000);
     Some(format!(
-        "Not one pixel differs from the book's picture. In each of steps 3 to 5, {count} pixels were \
-         tried, and none differs there, either."
+        "Not one pixel differs from the book's picture. In each of steps 3 to 5, {},{:03} pixels \
+         were tried, and none differs there, either.",
+        count / 1000,
+        count % 1000
     ))
 }
 

@@ -60,12 +60,12 @@ impl<'a> Json<'a> {
 
     /// Reads an object.
     pub fn object(self) -> Option<Vec<(String, Self)>> {
-        let fields = split(self.0.strip_prefix('{')?.strip_suffix('}')?, b',')?;
-        let fields = fields.into_iter().map(|field| {
+        let read_field = |field: Json<'a>| {
             let [name, value] = split(field.0, b':')?[..] else { return None };
             Some((name.string()?, value))
-        });
-        fields.collect()
+        };
+        let fields = split(self.0.strip_prefix('{')?.strip_suffix('}')?, b',')?;
+        fields.into_iter().map(read_field).collect()
     }
 }
 

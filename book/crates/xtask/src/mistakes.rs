@@ -70,9 +70,9 @@ impl DrawnMistakes {
         for mistake in parse_mistake_lists()? {
             all.push((redraw_key(mistake, &right)?, mistake));
         }
-        let rows = mistake_table().rows.iter();
-        let rows = rows.filter(|row| row.hashes.iter().any(Option::is_some));
-        let rows = rows.map(|row| (row.key, row.hashes.clone())).collect();
+        let drawn_rows =
+            mistake_table().rows.iter().filter(|row| row.hashes.iter().any(Option::is_some));
+        let rows = drawn_rows.map(|row| (row.key, row.hashes.clone())).collect();
         let pictures = Step::ALL.map(|step| read_small_pictures(&workspace(), step));
         let small_pictures = pictures.into_iter().flatten().flatten().collect();
         Ok(Self { right, all, rows, small_pictures })
@@ -110,8 +110,8 @@ impl DrawnMistakes {
     /// A step's small pictures with their names, in the order in which the mistakes are listed.
     fn step_pictures(&self, step: Step) -> Vec<(&'static str, &RgbImage)> {
         let shown = self.all.iter().flat_map(|(_, mistake)| mistake.pictures());
-        let shown = shown.filter(|picture| picture.step == step);
         shown
+            .filter(|picture| picture.step == step)
             .filter_map(|picture| Some((picture.name, self.small_pictures.get(picture.name)?)))
             .collect()
     }

@@ -31,7 +31,7 @@ fn modules_export_the_functions_that_pages_call() {
         let bytes = fs::read(path).expect("a module");
         for name in &names {
             let is_exported = bytes.windows(name.len()).any(|part| part == name.as_bytes());
-            assert!(is_exported, "{module}.wasm has no {name}. `cargo xtask` compiles it anew.");
+            assert!(is_exported, "{module}.wasm has no {name}. `cargo xtask` compiles it again.");
         }
     }
 }

@@ -69,8 +69,8 @@ impl ThreadPoolBuilder {
 pub struct ThreadPool;
 
 impl ThreadPool {
-    /// Calls a function.
-    pub fn install<T>(&self, act: impl FnOnce() -> T) -> T {
-        act()
+    /// Calls a function on the current thread.
+    pub fn install<T>(&self, function: impl FnOnce() -> T) -> T {
+        function()
     }
 }

@@ -43,8 +43,8 @@ impl Compiler<'_> {
             return refuse(range_of(&assignment.eq_token), Fault::Comparison);
         }
         let condition = self.compile_expression(&branches.cond)?;
-        let then = &branches.then_branch;
-        let then = self.compile_statements(&then.stmts, range_of(then))?;
+        let then_block = &branches.then_branch;
+        let then = self.compile_statements(&then_block.stmts, range_of(then_block))?;
         let other =
             Part { range: range_of(tail_expression(other)), ..self.compile_expression(other)? };
         for (part, wanted) in [(&condition, ValueType::Bool), (&other, then.code.value_type)] {
@@ -53,25 +53,20 @@ impl Compiler<'_> {
                 return refuse(part.range.clone(), fault);
             }
         }
-        let (condition, then, other) = (condition.code, then.code, other.code);
-        let (value_type, has_ambiguous_type) =
-            (then.value_type, then.has_ambiguous_type && other.has_ambiguous_type);
-        let computation = match condition.constant_value() {
-            Some(Value::Bool(true)) => then.computation,
-            Some(_) => other.computation,
-            None => {
-                let (condition, then, other) =
-                    (condition.computation, then.computation, other.computation);
-                Computation::Closure(Rc::new(move |evaluation| {
-                    evaluation.spend(1)?;
-                    match condition.evaluate(evaluation)? {
-                        Value::Bool(true) => then.evaluate(evaluation),
-                        _ => other.evaluate(evaluation),
-                    }
-                }))
-            }
+        let has_ambiguous_type = then.code.has_ambiguous_type && other.code.has_ambiguous_type;
+        let [if_true, if_false] = [then.code.computation, other.code.computation];
+        let computation = match condition.code.computation {
+            Computation::Constant(Value::Bool(true)) => if_true,
+            Computation::Constant(_) => if_false,
+            condition => Computation::Closure(Rc::new(move |evaluation| {
+                evaluation.spend(1)?;
+                match condition.evaluate(evaluation)? {
+                    Value::Bool(true) => if_true.evaluate(evaluation),
+                    _ => if_false.evaluate(evaluation),
+                }
+            })),
         };
-        Ok(Code { computation, value_type, has_ambiguous_type })
+        Ok(Code { computation, value_type: then.code.value_type, has_ambiguous_type })
     }
 
     /// Compiles the remaining statements of the block at `range`. Their value is that of the last

@@ -27,10 +27,12 @@ const PROGRAM: &str = "#![allow(warnings)] use glam::DVec3; use std::panic::*; f
 /// are refused with a cure.
 fn write_random_line(rng: &mut Rng, type_initial: &str, depth: usize) -> String {
     let is_wrong = rng.u8(..) < 5;
-    let lists = include_str!("patterns.txt").lines().filter_map(|line| line.split_once(": "));
     let is_slip = depth > 0 && "fDb".contains(type_initial) && rng.u8(..) < 20;
-    let lists = lists.filter(|(name, _)| is_wrong || name.starts_with(type_initial));
-    let lists = lists.filter(|(name, _)| name.ends_with('?') == is_slip);
+    let lists = include_str!("patterns.txt")
+        .lines()
+        .filter_map(|line| line.split_once(": "))
+        .filter(|(name, _)| is_wrong || name.starts_with(type_initial))
+        .filter(|(name, _)| name.ends_with('?') == is_slip);
     let patterns = lists.flat_map(|(_, list)| list.split(", "));
     let patterns: Vec<_> = patterns.take(if depth == 0 { 3 } else { usize::MAX }).collect();
     let pattern = rng.choice(patterns).expect("a pattern").replace(';', ",").replace('#', ";");
@@ -125,11 +127,13 @@ fn random_lines_have_the_values_that_rustc_gives_them() {
             let no_result = Refusal { range: 0..text.len(), fault: Fault::NoResult };
             line.evaluate(&values).ok_or(no_result)
         });
-        // The program prints bare values, without the names of our variants.
-        let value = value
-            .map(|value| format!("{value:?}").split_once('(').expect("a parenthesis").1.to_owned());
-        let judged = judged.map(|value| if value == "stop" { value } else { value + ")" });
-        match (judged.as_deref(), value) {
+        // The program prints bare values, without the name of our variant and the parentheses.
+        let bare_value = value.map(|value| {
+            let written = format!("{value:?}");
+            let (_, bare) = written.split_once('(').expect("a variant");
+            bare.strip_suffix(')').expect("a variant").to_owned()
+        });
+        match (judged.as_deref(), bare_value) {
             (None | Some("stop"), Err(_)) => {}
             (Some(right), Ok(value)) if value == right => {
                 *(if index < 1000 { &mut equal } else { &mut equal_cures }) += 1;
