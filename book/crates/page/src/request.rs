@@ -11,7 +11,7 @@ use thiserror::Error;
 /// Each module only knows the requests that it replies to, which keeps its code small.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Request {
-    /// Provides the list of mistakes, which is the file. It isn't compiled into any module.
+    /// Loads the texts of the mistakes from the file, because they aren't compiled into any module.
     Mistakes,
     /// Checks the file.
     #[cfg(feature = "check")]

@@ -128,7 +128,7 @@ pub fn refuse_first_line_unless(condition: bool, sentence: &'static str) {
 }
 
 /// Draws a picture pixel by pixel until a line is refused. In the copied steps, this replaces the
-/// function of the same name, which uses all processors, because our context is thread-local.
+/// function of the same name. That function uses all processors, but our context is thread-local.
 pub fn draw_pixels(camera: &Camera, pixel: impl Fn(f64, f64) -> Rgb<u8> + Sync) -> RgbImage {
     let mut picture = RgbImage::new(camera.h_res, camera.v_res);
     let pixel_spacing = CONTEXT.with(|context| context.pixel_spacing.get());

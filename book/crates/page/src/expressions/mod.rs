@@ -6,7 +6,7 @@
 //! the reader's line (`value_of_line`). The line is parsed by `syn`. The *compiler* looks up its
 //! operators, functions and methods in a table of *functions*, with the same types as in Rust, and
 //! combines what it finds into a single closure that runs for each pixel. Whatever Rust would
-//! refuse is refused, with the wrong range and a sentence that explains what is wrong. The same
+//! refuse is refused, with the range of the error and a sentence that explains it. The same
 //! happens to a line that would make the reader's program panic while drawing, or that needs more
 //! *operations* than a page has time for.
 

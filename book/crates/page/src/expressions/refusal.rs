@@ -9,7 +9,7 @@ use thiserror::Error;
 #[derive(Clone, Debug, PartialEq, Error)]
 #[error("{fault}")]
 pub struct Refusal {
-    /// The byte range that is wrong.
+    /// The byte range at fault.
     pub range: Range<usize>,
     /// What is wrong there.
     pub fault: Fault,
@@ -173,8 +173,8 @@ pub enum Fault {
 }
 
 impl Fault {
-    /// The replacement that the fault's sentence suggests for the wrong range of the line. None if
-    /// the sentence suggests no code, or only code with gaps.
+    /// The replacement that the fault's sentence suggests for the range at fault. None if the
+    /// sentence suggests no code, or only code with gaps.
     pub fn cure(&self) -> Option<&str> {
         let cure = match self {
             Fault::Assignment { cure, .. }
