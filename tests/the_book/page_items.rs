@@ -43,7 +43,7 @@ pub struct PageCommand {
 pub fn page_items(page: &Page) -> Vec<PageItem<'_>> {
     let mut items = vec![];
     for element in &page.elements {
-        let console = element.attr("data-folder").and_then(ConsoleKind::from_attribute);
+        let console = element.attr("data-folder").and_then(ConsoleKind::from_data_folder);
         let exit_code = match console {
             Some(ConsoleKind::Ours) => continue,
             // The exit codes of clap for invalid arguments, and of Cargo for a failing test.

@@ -19,12 +19,12 @@ use std::sync::Arc;
 /// Builds wait for each other on a lock. The book is written to a draft beside `folder`, which
 /// replaces the folder only once it is complete. So after a fault, the old book is still there.
 pub fn build(workspace: &Path, folder: &Path) -> Result<Site> {
-    let around = folder.parent().context("the book needs a folder of its own")?;
-    fs::create_dir_all(around).with_context(|| format!("{} can't be created", around.display()))?;
-    let lock = open_lock(&around.join("book.lock"))?;
+    let parent = folder.parent().context("the book needs a folder of its own")?;
+    fs::create_dir_all(parent).with_context(|| format!("{} can't be created", parent.display()))?;
+    let lock = open_lock(&parent.join("book.lock"))?;
     lock.lock()?;
     restore_folder(folder)?;
-    let draft = around.join("book.draft");
+    let draft = parent.join("book.draft");
     // An earlier build that was killed or found a fault may have left its draft behind.
     let _ = fs::remove_dir_all(&draft);
     let site = write_and_check_pages(workspace, &draft)?;
@@ -87,7 +87,7 @@ fn write_and_check_pages(workspace: &Path, folder: &Path) -> Result<Site> {
     book.with_preprocessor(ChapterPreprocessor(sources.clone()));
     book.build()?;
     let folder = book.build_dir_for("html");
-    sources.generated.write(&folder.join(GENERATED))?;
+    sources.generated.sync_to(&folder.join(GENERATED))?;
     let mut files = Files::read(&folder)?;
     for (name, html) in finish_pages(&files)? {
         write_page_file(&folder, &mut files, name, html)?;
@@ -136,14 +136,14 @@ mod tests {
 
     /// Creates a folder with a draft and an old book in it, and returns all three paths.
     fn create_draft_and_old_book(name: &str) -> (PathBuf, PathBuf, PathBuf) {
-        let around = env::temp_dir().join(format!("{name}-{}", process::id()));
-        let _ = fs::remove_dir_all(&around);
-        let (draft, book) = (around.join("book.draft"), around.join("book"));
+        let parent = env::temp_dir().join(format!("{name}-{}", process::id()));
+        let _ = fs::remove_dir_all(&parent);
+        let (draft, book) = (parent.join("book.draft"), parent.join("book"));
         for (folder, text) in [(&draft, "new"), (&book, "old")] {
             fs::create_dir_all(folder).expect("a folder");
             fs::write(folder.join("index.html"), text).expect("a file");
         }
-        (around, draft, book)
+        (parent, draft, book)
     }
 
     fn read_index(book: &Path) -> String {
@@ -151,7 +151,7 @@ mod tests {
     }
 
     #[test]
-    fn title_of_a_part_is_one_list_item() {
+    fn part_title_is_a_single_list_item() {
         let html =
             "<ol><li class=\"chapter-item expanded \"><li class=\"part-title\">a</li></li></ol>";
         let closed = unwrap_part_titles(html).expect("closed");
@@ -160,25 +160,25 @@ mod tests {
 
     #[test]
     fn draft_takes_the_place_of_the_old_book() {
-        let (around, draft, book) = create_draft_and_old_book("replace_folder");
+        let (parent, draft, book) = create_draft_and_old_book("replace_folder");
         replace_folder(&draft, &book).expect("replaced");
         assert_eq!(read_index(&book), "new");
-        assert_eq!(fs::read_dir(&around).expect("a folder").count(), 1);
-        fs::remove_dir_all(around).expect("removed");
+        assert_eq!(fs::read_dir(&parent).expect("a folder").count(), 1);
+        fs::remove_dir_all(parent).expect("removed");
     }
 
     #[test]
-    fn old_book_is_put_back_if_there_is_no_draft() {
-        let (around, draft, book) = create_draft_and_old_book("no_draft");
+    fn old_book_is_restored_if_there_is_no_draft() {
+        let (parent, draft, book) = create_draft_and_old_book("no_draft");
         fs::remove_dir_all(&draft).expect("removed");
         assert!(replace_folder(&draft, &book).is_err());
         assert_eq!(read_index(&book), "old");
-        fs::remove_dir_all(around).expect("removed");
+        fs::remove_dir_all(parent).expect("removed");
     }
 
     #[test]
-    fn book_that_a_killed_build_put_aside_is_put_back() {
-        let (around, _, book) = create_draft_and_old_book("put_aside");
+    fn book_that_a_killed_build_moved_aside_is_restored() {
+        let (parent, _, book) = create_draft_and_old_book("put_aside");
         fs::rename(&book, book.with_extension("old1")).expect("put aside");
         restore_folder(&book).expect("put back");
         assert_eq!(read_index(&book), "old");
@@ -187,15 +187,15 @@ mod tests {
         restore_folder(&book).expect("removed");
         assert!(!book.with_extension("old2").exists());
         fs::create_dir_all(book.with_extension("old1")).expect("a folder");
-        replace_folder(&around.join("book.draft"), &book).expect("replaced");
+        replace_folder(&parent.join("book.draft"), &book).expect("replaced");
         assert_eq!(read_index(&book), "new");
-        fs::remove_dir_all(around).expect("removed");
+        fs::remove_dir_all(parent).expect("removed");
     }
 
     #[test]
-    fn lock_keeps_what_is_in_it_and_is_no_link() {
-        let (around, _, book) = create_draft_and_old_book("lock");
-        let lock = around.join("book.lock");
+    fn lock_file_keeps_its_contents_and_may_not_be_a_link() {
+        let (parent, _, book) = create_draft_and_old_book("lock");
+        let lock = parent.join("book.lock");
         fs::write(&lock, "text").expect("a file");
         open_lock(&lock).expect("a lock");
         assert_eq!(fs::read_to_string(&lock).expect("text"), "text");
@@ -207,6 +207,6 @@ mod tests {
             assert!(open_lock(&lock).is_err());
             assert_eq!(read_index(&book), "old");
         }
-        fs::remove_dir_all(around).expect("removed");
+        fs::remove_dir_all(parent).expect("removed");
     }
 }

@@ -10,7 +10,7 @@ use crate::listing::ExpandedListing;
 use crate::markdown::{self, html_block};
 use crate::open_box::Boxes;
 use crate::picture::{self, Interaction, Loading};
-use crate::problem::{Heading, Position, Problem};
+use crate::problem::{PositionPair, Problem, ProblemHeading};
 use crate::{
     Sources, algorithm, check_form, console, figure, folded_box, formula, listing, mistake_gallery,
     note, numbers, pixel_panel,
@@ -66,7 +66,7 @@ pub fn expand_chapter(
         noted_blocks: vec![],
         boxes: Boxes::default(),
     };
-    chapter.expand_blocks();
+    chapter.expand_events();
     chapter.copy_until(text.len());
     chapter.expanded.faults.sort_by_key(|fault| fault.line);
     chapter.expanded
@@ -117,9 +117,9 @@ impl<'a> Chapter<'a> {
 
     /// Copies the text up to a position, and pairs that position with the one that it now has in
     /// the expanded text.
-    fn copy_until_position_pair(&mut self, in_text: usize) -> Position {
+    fn copy_until_position_pair(&mut self, in_text: usize) -> PositionPair {
         self.copy_until(in_text);
-        Position { in_text, in_expanded: self.expanded.markdown.len() }
+        PositionPair { in_text, in_expanded: self.expanded.markdown.len() }
     }
 
     /// Replaces a range of the text with `part`, or adds a fault if `part` is an error.
@@ -147,7 +147,7 @@ impl<'a> Chapter<'a> {
         }
     }
 
-    fn expand_blocks(&mut self) {
+    fn expand_events(&mut self) {
         let mut nesting = 0;
         let parser = Parser::new_ext(self.text, markdown::markdown_options());
         let events: Vec<_> = TextMergeWithOffset::new(parser.into_offset_iter()).collect();
@@ -183,14 +183,14 @@ impl<'a> Chapter<'a> {
     }
 
     /// Whether the block at this position has notes, and so a wrapper around it.
-    fn has_notes(&self, start: usize) -> bool {
-        self.noted_blocks.iter().any(|block| block.start == start)
+    fn block_has_notes(&self, block_start: usize) -> bool {
+        self.noted_blocks.iter().any(|block| block.start == block_start)
     }
 
     /// Opens the wrapper around a block and its notes, if a block with notes begins at this
     /// position.
     fn open_noted_block(&mut self, start: usize) {
-        if self.has_notes(start) {
+        if self.block_has_notes(start) {
             self.copy_until(start);
             self.expanded.markdown += &note::wrapper_opening_html();
         }
@@ -198,11 +198,11 @@ impl<'a> Chapter<'a> {
 
     /// Wraps a block that has a tool, such as the line editor, opening beside it. A block with
     /// notes already has one.
-    fn wrap_block_with_tool(&self, markdown: String, start: usize) -> String {
-        if self.has_notes(start) {
-            markdown
+    fn ensure_margin_wrapper(&self, block: String, block_start: usize) -> String {
+        if self.block_has_notes(block_start) {
+            block
         } else {
-            [note::wrapper_opening_html(), markdown, note::wrapper_closing_html()].concat()
+            [note::wrapper_opening_html(), block, note::wrapper_closing_html()].concat()
         }
     }
 
@@ -214,8 +214,8 @@ impl<'a> Chapter<'a> {
         range: &Range<usize>,
     ) -> ChapterResult<String> {
         let is_inside = |block: &&Range<usize>| block.contains(&range.start);
-        let block = self.noted_blocks.iter().find(is_inside);
-        let block = block.ok_or(ChapterError::NoteWithoutBlock)?;
+        let block =
+            self.noted_blocks.iter().find(is_inside).ok_or(ChapterError::NoteWithoutBlock)?;
         let is_last = block.end == range.end;
         html.map(|html| if is_last { html + &note::wrapper_closing_html() } else { html })
     }
@@ -259,7 +259,7 @@ impl<'a> Chapter<'a> {
                 }
                 return Ok(Expansion::Keep);
             }
-            Event::Start(Tag::Image { dest_url, .. }) => picture::img_html_without_caption(
+            Event::Start(Tag::Image { dest_url, .. }) => picture::image_html_from_markdown(
                 source,
                 dest_url,
                 self.sources,
@@ -307,17 +307,22 @@ impl<'a> Chapter<'a> {
         let CodeBlockKind::Fenced(info) = kind else {
             return numbers::fill_in_code(source, &self.sources.values);
         };
-        let (language, word) = info.split_once(',').unwrap_or((info, ""));
+        let (language, fence_words) = info.split_once(',').unwrap_or((info, ""));
         let lines: Vec<&str> = source.trim_end().lines().skip(1).collect();
         let content = lines[..lines.len().saturating_sub(1)].join("\n");
         let include =
             Directive::parse(&content).filter(|directive| directive.kind == DirectiveKind::Include);
         let html = if let Some(Directive { words, .. }) = include {
-            let ExpandedListing { markdown, has_places } =
-                listing::expand_listing(language, word, words, self.sources, &mut self.listings)?;
-            if has_places { self.wrap_block_with_tool(markdown, start) } else { markdown }
+            let ExpandedListing { markdown, has_places } = listing::expand_listing(
+                language,
+                fence_words,
+                words,
+                self.sources,
+                &mut self.listings,
+            )?;
+            if has_places { self.ensure_margin_wrapper(markdown, start) } else { markdown }
         } else if language == "console" {
-            console::console_markdown(word, &content)?
+            console::console_markdown(fence_words, &content)?
         } else if language == "algorithm" {
             algorithm::algorithm_html(&content)
         } else if ["", "rust", "toml"].contains(&language) {
@@ -381,7 +386,7 @@ impl<'a> Chapter<'a> {
 
     /// Expands the first line of a problem, after which the problem is open.
     fn expand_problem_heading(&mut self, words: &str, range: &Range<usize>) {
-        let (heading, html) = match Heading::parse(words) {
+        let (heading, html) = match ProblemHeading::parse(words) {
             Ok(heading) => {
                 let html = html_block(&heading.opening_html());
                 (Some(heading), Ok(html))
@@ -427,19 +432,19 @@ impl<'a> Chapter<'a> {
         let directive = Directive::parse(&remaining).filter(|directive| {
             matches!(directive.kind, DirectiveKind::Live | DirectiveKind::Preview)
         });
-        let is_whole = directive.is_some() || remaining.trim().is_empty();
-        if !is_whole || pictures.is_empty() {
+        let has_only_pictures = directive.is_some() || remaining.trim().is_empty();
+        if !has_only_pictures || pictures.is_empty() {
             return Ok(Expansion::Keep);
         }
         let interaction = directive.map(find_interaction).transpose()?;
         let html = self.figures_html(&pictures, interaction)?;
         Ok(Expansion::Replace(match interaction {
             Some(Interaction::Live(picture)) if picture.probe().is_some() => {
-                let has_notes = self.has_notes(range.start);
+                let has_notes = self.block_has_notes(range.start);
                 self.boxes.await_panel(picture.name, range.start, has_notes) + &html
             }
             Some(Interaction::Live(picture)) if picture.editable_scene.is_some() => {
-                self.wrap_block_with_tool(html, range.start)
+                self.ensure_margin_wrapper(html, range.start)
             }
             _ => html,
         }))
@@ -454,7 +459,7 @@ impl<'a> Chapter<'a> {
         let mut figures = String::new();
         for ChapterPicture { markdown, file, caption } in pictures {
             let image =
-                picture::img_html_without_caption(markdown, file, self.sources, &mut self.loading)?;
+                picture::image_html_from_markdown(markdown, file, self.sources, &mut self.loading)?;
             figures += &picture::figure_html(&image, caption, interaction, &self.sources.values)?;
         }
         if pictures.len() > 1 {

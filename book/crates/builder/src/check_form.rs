@@ -12,9 +12,9 @@ const ANY_PICTURE: &str = "*";
 ///
 /// The form is hidden until book/theme/check_form.js shows it, since it doesn't work without
 /// scripts.
-pub fn check_form_html(name: &str, sources: &Sources) -> ChapterResult<String> {
+pub fn check_form_html(picture_name: &str, sources: &Sources) -> ChapterResult<String> {
     let mut scene_field = "";
-    let (name, words) = match name {
+    let (checked_picture, words) = match picture_name {
         "" => {
             scene_field = "<label>If your teacher gave you a scene, the name on its sheet: \
                            <input name=\"scene\" autocomplete=\"off\"></label>";
@@ -28,7 +28,7 @@ pub fn check_form_html(name: &str, sources: &Sources) -> ChapterResult<String> {
         name => return Err(ChapterError::UnknownLockedPicture(name.to_owned())),
     };
     Ok(format!(
-        "<form class=\"check\" data-check=\"{name}\" hidden>\
+        "<form class=\"check\" data-check=\"{checked_picture}\" hidden>\
          <label><b>Is it right?</b> {words} It stays on your computer. \
          <input type=\"file\" accept=\"image/png\"></label>{scene_field}\
          <button type=\"reset\" class=\"reset\" disabled>Reset</button>\

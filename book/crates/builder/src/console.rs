@@ -22,7 +22,7 @@ impl ConsoleKind {
     const ALL: [Self; 4] = [Self::Ours, Self::Yours, Self::Refused, Self::Fails];
 
     /// Its words after `console,` in a chapter.
-    fn words(self) -> &'static str {
+    fn fence_words(self) -> &'static str {
         match self {
             Self::Ours => "ours",
             Self::Yours => "yours",
@@ -32,37 +32,39 @@ impl ConsoleKind {
     }
 
     /// The value of `data-folder` on a page.
-    fn attribute(self) -> String {
-        self.words().replace(',', " ")
+    fn data_folder(self) -> String {
+        self.fence_words().replace(',', " ")
     }
 
     /// Finds the kind with this value of `data-folder`.
-    pub fn from_attribute(attribute: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|kind| kind.attribute() == attribute)
+    pub fn from_data_folder(data_folder: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|kind| kind.data_folder() == data_folder)
     }
 }
 
 /// Returns commands for the reader to type. `words` say which kind of console it is. Only commands
 /// for our folder have a caption, since nearly all others are for the reader's, and step 1 says that
 /// once for all of them.
-pub fn console_markdown(words: &str, commands: &str) -> ChapterResult<String> {
-    let kind = ConsoleKind::ALL.into_iter().find(|kind| kind.words() == words);
-    let kind = kind.ok_or(ChapterError::ConsoleForm)?;
+pub fn console_markdown(fence_words: &str, commands: &str) -> ChapterResult<String> {
+    let kind = ConsoleKind::ALL
+        .into_iter()
+        .find(|kind| kind.fence_words() == fence_words)
+        .ok_or(ChapterError::ConsoleForm)?;
     let caption = match kind {
         ConsoleKind::Ours => {
             "<figcaption>in <a href=\"how.html#two-folders\">our folder</a></figcaption>"
         }
         ConsoleKind::Yours | ConsoleKind::Refused | ConsoleKind::Fails => "",
     };
-    let folder = kind.attribute();
+    let folder = kind.data_folder();
     // The prompt gets its own element, so that the stylesheet can keep it from being copied.
     let commands = format!("\n{}", escape_html(commands)).replace("\n$ ", "\n<span>$ </span>");
-    let caption = format!(
+    let opening = format!(
         "<figure class=\"console\" aria-label=\"Commands\" data-folder=\"{folder}\">{caption}"
     );
     // As a block of its own, it may contain blank lines.
-    let commands = format!("<pre><code>{}</code></pre>", commands.trim_start());
-    Ok([&caption, &commands, "</figure>"].map(html_block).concat())
+    let block = format!("<pre><code>{}</code></pre>", commands.trim_start());
+    Ok([&opening, &block, "</figure>"].map(html_block).concat())
 }
 
 #[cfg(test)]
@@ -70,13 +72,13 @@ mod tests {
     use super::*;
 
     #[test]
-    fn prompt_is_marked_in_each_line() {
+    fn each_prompt_has_its_own_element() {
         let html = console_markdown("yours", "$ a > b\n$ c").expect("a console");
         assert!(html.contains("<code><span>$ </span>a &gt; b\n<span>$ </span>c</code>"), "{html}");
     }
 
     #[test]
-    fn caption_names_our_folder_and_not_the_readers() {
+    fn only_commands_for_our_folder_have_a_caption() {
         for (words, has_caption) in [("ours", true), ("yours", false), ("yours,fails", false)] {
             let html = console_markdown(words, "$ a").expect("a console");
             assert_eq!(html.contains("our folder</a></figcaption>"), has_caption, "{html}");
@@ -85,10 +87,10 @@ mod tests {
     }
 
     #[test]
-    fn folder_is_ours_or_yours() {
+    fn console_kind_is_kept_in_data_folder_and_unknown_words_are_an_error() {
         let html = console_markdown("yours,fails", "$ a").expect("a console");
         assert!(html.contains("data-folder=\"yours fails\""), "{html}");
-        assert_eq!(ConsoleKind::from_attribute("yours fails"), Some(ConsoleKind::Fails));
+        assert_eq!(ConsoleKind::from_data_folder("yours fails"), Some(ConsoleKind::Fails));
         assert!(matches!(console_markdown("theirs", "$ a"), Err(ChapterError::ConsoleForm)));
     }
 }

@@ -20,11 +20,11 @@ const RESET: &str = "<button type=\"button\" class=\"reset\" disabled>Reset</but
 /// The controls stay hidden if no script can make the figure interactive. Otherwise they are
 /// visible from the start, and work as soon as the module has loaded; see book/theme/figure.js.
 pub fn controls_html(figure: &Figure) -> String {
-    let (mut exact, mut above, mut below) = (vec![], String::new(), String::new());
+    let (mut folded, mut above, mut below) = (vec![], String::new(), String::new());
     for parameter in &figure.parameters {
         let control = Control { figure, parameter };
         if control.is_folded() {
-            exact.push(control);
+            folded.push(control);
         } else if parameter.kind == ParameterKind::Switch || figure.editable_scene.is_none() {
             above += &control.html();
         } else {
@@ -45,28 +45,28 @@ pub fn controls_html(figure: &Figure) -> String {
              {above}{RESET}</div>{below}"
         )
     } else {
-        format!("{above}{}{RESET}", folded_fields_html(&exact))
+        format!("{above}{}{RESET}", folded_fields_html(&folded))
     };
     let tool = if figure.editable_scene.is_some() { " tool" } else { "" };
     format!("<div class=\"controls{tool}\" hidden>{hint}{content}</div>")
 }
 
 /// The HTML of the hint below a picture that only becomes interactive once it is touched.
-pub fn preview_html(figure: &Figure) -> String {
+pub fn preview_hint_html(figure: &Figure) -> String {
     let hint = if figure.editable_scene.is_some() { SCENE_HINT } else { HINT };
     format!("<div class=\"controls\" hidden>{hint}</div>")
 }
 
 /// The folded number fields. The coordinates of an object share a row.
-fn folded_fields_html(exact: &[Control]) -> String {
-    if exact.is_empty() {
+fn folded_fields_html(folded: &[Control]) -> String {
+    if folded.is_empty() {
         return String::new();
     }
     let object = |control: &Control| control.parameter.id.object();
     let is_same_row = |control: &Control, next: &Control| {
         object(control).is_some() && object(control) == object(next)
     };
-    let rows = exact.chunk_by(is_same_row).map(|row| {
+    let rows = folded.chunk_by(is_same_row).map(|row| {
         let fields: String = row.iter().map(Control::html).collect();
         let label = escape_html(object(&row[0]).unwrap_or(&row[0].parameter.label));
         format!("<div class=\"row\"><span>{label}</span>{fields}</div>")
@@ -93,7 +93,7 @@ impl Control<'_> {
 
     /// The object that has to be chosen for this control to be shown, or None if it is always
     /// shown.
-    fn object(&self) -> Option<&'static str> {
+    fn required_object(&self) -> Option<&'static str> {
         self.figure.editable_scene.as_ref().and(self.parameter.id.object())
     }
 
@@ -103,7 +103,7 @@ impl Control<'_> {
         let Self { figure, parameter } = self;
         let handle = figure.handles.first().filter(|_| figure.editable_scene.is_some());
         let is_of_first_object =
-            self.object() == handle.and_then(|handle| handle.horizontal.object());
+            self.required_object() == handle.and_then(|handle| handle.horizontal.object());
         (parameter.has_control)(parameter, &figure.default_values()) && is_of_first_object
     }
 
@@ -139,7 +139,7 @@ impl Control<'_> {
         };
         let hidden = if self.is_shown_at_first() { "" } else { " hidden" };
         let object = self
-            .object()
+            .required_object()
             .map_or(String::new(), |object| format!(" data-object=\"{}\"", escape_html(object)));
         format!("<div class=\"{class}\" data-parameter=\"{id}\"{object}{hidden}>{content}</div>")
     }
@@ -161,7 +161,7 @@ mod tests {
     use super::*;
     use figures::find_figure;
 
-    fn control(figure: &str, id: &str) -> String {
+    fn control_html(figure: &str, id: &str) -> String {
         let figure = find_figure(figure).expect("a figure");
         let has_id = |parameter: &&Parameter| parameter.id.to_string() == id;
         let parameter = figure.parameters.iter().find(has_id).expect("a parameter");
@@ -176,7 +176,7 @@ mod tests {
             ("row", "divide-by-hRes", "switch", "<input type=\"checkbox\">"),
             ("step01_rays", "aspect-ratio", "range", "<b aria-hidden=\"true\">16:9</b>"),
         ] {
-            let html = control(figure, id);
+            let html = control_html(figure, id);
             assert!(html.contains(tag), "{html}");
             assert!(html.starts_with(&format!("<div class=\"{class}\" data-parameter=\"{id}\"")));
         }
@@ -184,9 +184,11 @@ mod tests {
 
     #[test]
     fn control_of_an_object_is_hidden_until_the_object_is_chosen() {
-        assert!(control("own_scene", "red-sphere-radius").contains("data-object=\"red sphere\">"));
-        let other = control("own_scene", "blue-sphere-radius");
-        assert!(other.contains("data-object=\"blue sphere\" hidden>"), "{other}");
+        assert!(
+            control_html("own_scene", "red-sphere-radius").contains("data-object=\"red sphere\">")
+        );
+        let unchosen = control_html("own_scene", "blue-sphere-radius");
+        assert!(unchosen.contains("data-object=\"blue sphere\" hidden>"), "{unchosen}");
     }
 
     #[test]

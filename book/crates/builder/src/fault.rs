@@ -142,7 +142,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn fault_says_its_line_its_error_and_the_cause() {
+    fn fault_is_displayed_with_its_line_error_and_cause() {
         let source = io::Error::other("a cause");
         let error = ChapterError::UnreadableFile { path: "a.rs".to_owned(), source };
         let fault = Fault { line: 3, error };
@@ -150,7 +150,7 @@ mod tests {
     }
 
     #[test]
-    fn faults_are_listed_and_none_is_no_error() {
+    fn faults_are_listed_and_an_empty_list_is_ok() {
         assert!(Faults::ensure_none([""; 0]).is_ok());
         let error = Faults::ensure_none(["a", "b"]).expect_err("two faults");
         assert_eq!(error.to_string(), "a\nb\nThe book was not built.");

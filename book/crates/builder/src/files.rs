@@ -48,7 +48,7 @@ impl Files {
 
     /// Writes the files into `folder`, and removes all other files there. A file that is up to date
     /// isn't touched, because `mdbook serve` would notice and build again.
-    pub fn write(&self, folder: &Path) -> Result<()> {
+    pub fn sync_to(&self, folder: &Path) -> Result<()> {
         fs::create_dir_all(folder)
             .with_context(|| format!("{} can't be created", folder.display()))?;
         let old = Self::read(folder)?.0;

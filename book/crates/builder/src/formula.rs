@@ -82,7 +82,7 @@ mod tests {
     }
 
     #[test]
-    fn letter_with_a_subscript_reaches_no_lower_than_any_other() {
+    fn subscripts_of_x_and_y_are_level() {
         let html = formula_html("(x_0, y_0)", false, &Values::default()).expect("a formula");
         assert!(html.contains("<msub><mi>x</mi><mn>0</mn></msub>"), "{html}");
         let aligned = "<msub><mpadded depth=\"0\"><mi>y</mi></mpadded><mn>0</mn></msub>";
@@ -90,7 +90,7 @@ mod tests {
     }
 
     #[test]
-    fn live_number_is_an_element_of_its_own() {
+    fn live_number_in_a_formula_has_its_own_element() {
         for name in ["row:D", "step02_sphere:t", "step05_phong:d warm"] {
             let latex = format!("x = {{{{#number {name}}}}}");
             let html = formula_html(&latex, false, &Values::default()).expect(name);

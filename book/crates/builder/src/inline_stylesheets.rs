@@ -37,13 +37,13 @@ mod tests {
     }
 
     #[test]
-    fn style_takes_the_place_of_its_link() {
+    fn stylesheet_replaces_its_link() {
         let html = inline("<link rel=\"stylesheet\" href=\"css/a.css\">text").expect("a page");
         assert_eq!(html, "<style>\na { src: url(\"css/b.woff2\"); }\n</style>text");
     }
 
     #[test]
-    fn link_to_no_stylesheet_is_an_error() {
+    fn link_to_a_missing_stylesheet_is_an_error() {
         let error = inline("<link rel=\"stylesheet\" href=\"b.css\">").expect_err("no file");
         assert_eq!(error.to_string(), "there is no b.css");
     }

@@ -10,10 +10,10 @@ use thiserror::Error;
 
 /// A link on a page that leads nowhere, or that fetches something from elsewhere.
 #[derive(Debug, Error)]
-#[error("{element}: {error}")]
+#[error("{location}: {error}")]
 pub struct LinkFault {
     /// The page, and the nearest id at or before the link.
-    element: String,
+    location: String,
     /// What is wrong with its address.
     error: LinkError,
 }
@@ -46,7 +46,7 @@ pub fn find_address_faults(site: &Site) -> Vec<LinkFault> {
                     continue;
                 }
                 if let Err(error) = check_address(site, &ids, &page.name, address) {
-                    faults.push(LinkFault { element: page.address_for_fault(element), error });
+                    faults.push(LinkFault { location: page.address_for_fault(element), error });
                 }
             }
         }
@@ -105,10 +105,10 @@ fn check_address(
     if !site.files.0.contains_key(&path) {
         return Err(LinkError::UnknownFile(path));
     }
-    let is_there = id.is_empty()
+    let is_known = id.is_empty()
         || ids.contains(&(&path, Some(id)))
         || site.pages.get(&path).is_some_and(|page| is_for_script(page, id));
-    if is_there { Ok(()) } else { Err(LinkError::UnknownId { id: id.to_owned(), path }) }
+    if is_known { Ok(()) } else { Err(LinkError::UnknownId { id: id.to_owned(), path }) }
 }
 
 /// Whether a script on the page understands `id`, the end of an address: `pixel=470,120`, if a
@@ -154,14 +154,14 @@ mod tests {
     }
 
     #[test]
-    fn styles_fetch_what_their_addresses_say() {
+    fn style_urls_are_those_in_url_and_after_import() {
         let css = "@import \"a.css\"; b { src: url(\"c.woff2\"), url(d.png); }";
         let urls: Vec<_> = style_urls(css).collect();
         assert_eq!(urls, ["c.woff2", "d.png", "a.css"]);
     }
 
     #[test]
-    fn scripts_know_pixels_lines_and_scenes_of_their_page() {
+    fn ids_for_scripts_name_a_pixel_line_or_scene_of_the_page() {
         let html = "<details data-panel=\"a\"></details><figure data-live=\"own_scene\"></figure>\
                     <figure data-places=\"gate:1:2 normal:3:4\"></figure>";
         let page = Page::parse("a.html", html);

@@ -105,7 +105,7 @@ impl Extent {
 }
 
 /// A listing with at most this many lines isn't split between two pages on paper.
-const SHORT: usize = 25;
+const MAX_UNSPLIT_LINES: usize = 25;
 
 impl Listing<'_> {
     /// Returns the code in a fence, under its caption. Adds the listing's id to `ids` if it is new.
@@ -138,7 +138,7 @@ impl Listing<'_> {
         }
         attributes.push(("data-path", escape_html(self.path)));
         // The stylesheet for paper keeps it in one piece.
-        if self.code.lines().count() <= SHORT {
+        if self.code.lines().count() <= MAX_UNSPLIT_LINES {
             attributes.push(("data-short", String::new()));
         }
         attributes.extend(self.places.iter().map(|places| ("data-places", places.clone())));
@@ -213,11 +213,12 @@ fn part_lines(part: &str, lines: &[&str]) -> ChapterResult<Range<usize>> {
 /// comments or attributes directly above that line, returns the index of the first of those.
 fn find_item_start(words: &str, lines: &[&str], start: usize) -> ChapterResult<usize> {
     let has_words = |k: &usize| lines[*k].trim_start().starts_with(words);
-    let index = (start..lines.len()).find(has_words);
-    let index = index.ok_or_else(|| ChapterError::UnknownLine(words.to_owned()))?;
+    let index = (start..lines.len())
+        .find(has_words)
+        .ok_or_else(|| ChapterError::UnknownLine(words.to_owned()))?;
     let lines_above = lines[start..index].iter().rev();
-    let is_about_it = |line: &&&str| line.trim_start().starts_with(['#', '/']);
-    Ok(index - lines_above.take_while(is_about_it).count())
+    let is_comment_or_attribute = |line: &&&str| line.trim_start().starts_with(['#', '/']);
+    Ok(index - lines_above.take_while(is_comment_or_attribute).count())
 }
 
 #[cfg(test)]
@@ -227,7 +228,7 @@ mod tests {
     const LINES: [&str; 6] = ["use a;", "", "/// A b.", "struct B {", "}", "impl B {}"];
 
     #[test]
-    fn part_begins_and_ends_before_the_comments_of_a_line() {
+    fn part_begins_and_ends_before_the_comments_above_a_line() {
         for (part, lines) in
             [("..", 0..6), ("..struct", 0..2), ("struct..", 2..6), ("struct..impl", 2..5)]
         {
@@ -236,7 +237,7 @@ mod tests {
     }
 
     #[test]
-    fn part_that_is_not_there_is_an_error() {
+    fn missing_part_of_a_file_is_an_error() {
         assert!(matches!(part_lines("1:2", &LINES), Err(ChapterError::PartForm(_))));
         for part in ["..enum", "impl..struct"] {
             assert!(
@@ -253,7 +254,7 @@ mod tests {
     }
 
     #[test]
-    fn new_lines_are_those_that_the_old_text_does_not_have() {
+    fn new_lines_are_those_missing_from_the_old_code() {
         assert_eq!(new_lines("a\nb\nc", "c\na"), [1]);
     }
 
@@ -266,7 +267,7 @@ mod tests {
     }
 
     #[test]
-    fn caption_says_which_part_of_the_file_it_is() {
+    fn caption_says_which_part_of_the_file_is_shown() {
         for (lines, words) in
             [(0..6, None), (0..2, Some("its beginning")), (2..6, Some("add below"))]
         {

@@ -29,7 +29,8 @@ fn main() -> ExitCode {
 /// Reads the book that mdBook sends to stdin, and writes it to stdout with expanded chapters.
 fn preprocess_stdin() -> Result<()> {
     let (context, book) = mdbook_preprocessor::parse_input(stdin())?;
-    let book = ChapterPreprocessor::beside_chapters(&workspace())?.run(&context, book)?;
+    let book =
+        ChapterPreprocessor::read_sources_and_write_generated(&workspace())?.run(&context, book)?;
     Ok(serde_json::to_writer(stdout(), &book)?)
 }
 

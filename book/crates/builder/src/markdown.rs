@@ -34,7 +34,7 @@ pub fn inline_html(markdown: &str, values: &Values) -> ChapterResult<String> {
     }
     let mut text = String::new();
     html::push_html(&mut text, events.into_iter());
-    numbers::fill_in_text(&text.replace('\n', " "), values)
+    numbers::fill_in_html(&text.replace('\n', " "), values)
 }
 
 /// Writes HTML as a block of Markdown. Without the blank lines, a paragraph before it would go on,
@@ -58,7 +58,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn paragraph_has_no_tags_of_its_own() {
+    fn inline_html_has_no_paragraph_tags() {
         let html = |markdown| inline_html(markdown, &Values::default());
         assert_eq!(html("It's *one*\nline").expect("HTML"), "It’s <em>one</em> line");
         assert!(html("$t$").expect("HTML").starts_with("<math>"));

@@ -13,11 +13,12 @@ use course::{Mistake, MistakePicture, ShownMistake, Step, escape_html, mistakes}
 /// that step's picture, then a section for each mistake, with its picture, our picture, their
 /// difference, the diff, and the reason.
 pub fn gallery_markdown(
-    name: &str,
+    step_name: &str,
     sources: &Sources,
     loading: &mut Loading,
 ) -> ChapterResult<String> {
-    let step = Step::from_name(name).ok_or_else(|| ChapterError::UnknownStep(name.to_owned()))?;
+    let step = Step::from_name(step_name)
+        .ok_or_else(|| ChapterError::UnknownStep(step_name.to_owned()))?;
     let (mut items, mut sections) = (String::new(), String::new());
     for mistake in mistakes() {
         let Some(shown) = &mistake.shown else { continue };

@@ -10,13 +10,13 @@ use html5ever::tokenizer::{TagKind, Token};
 use thiserror::Error;
 
 /// Elements that may contain text and inline elements, but no blocks.
-const TEXT: [&str; 23] = [
+const TEXT_ELEMENTS: [&str; 23] = [
     "b", "button", "cite", "code", "del", "em", "h1", "h2", "h3", "h4", "i", "ins", "kbd", "label",
     "option", "output", "p", "pre", "small", "span", "strong", "sub", "sup",
 ];
 
 /// Elements that are blocks.
-const BLOCKS: [&str; 28] = [
+const BLOCK_ELEMENTS: [&str; 28] = [
     "article",
     "aside",
     "blockquote",
@@ -66,8 +66,8 @@ enum NestingError {
     ClosesNothing(String),
     #[error("<{0}> is never closed")]
     NeverClosed(String),
-    #[error("<{block}> can't stand inside of <{text}>")]
-    BlockInText { block: String, text: String },
+    #[error("<{inner}> can't stand inside of <{outer}>")]
+    Misplaced { inner: String, outer: String },
     #[error("{0}")]
     Syntax(String),
 }
@@ -93,18 +93,18 @@ fn misplaced_tags(html: &str) -> Vec<(u64, NestingError)> {
         last_line = line;
         match token {
             Token::TagToken(tag) if tag.kind == TagKind::StartTag => {
-                let block = tag.name.to_string();
-                let text = open.iter().find(|name| TEXT.contains(&&***name));
-                if let Some(text) = text.filter(|_| BLOCKS.contains(&&*block)) {
-                    let text = text.clone();
-                    errors.push((line, NestingError::BlockInText { block: block.clone(), text }));
+                let name = tag.name.to_string();
+                let outer = open.iter().find(|outer| TEXT_ELEMENTS.contains(&&***outer));
+                if let Some(outer) = outer.filter(|_| BLOCK_ELEMENTS.contains(&&*name)) {
+                    let (inner, outer) = (name.clone(), outer.clone());
+                    errors.push((line, NestingError::Misplaced { inner, outer }));
                 }
-                if block == "li" && open.last().is_some_and(|name| name == "li") {
-                    let text = block.clone();
-                    errors.push((line, NestingError::BlockInText { block: block.clone(), text }));
+                if name == "li" && open.last().is_some_and(|outer| outer == "li") {
+                    let (inner, outer) = (name.clone(), name.clone());
+                    errors.push((line, NestingError::Misplaced { inner, outer }));
                 }
-                if !tag.self_closing && !is_void(&block) {
-                    open.push(block);
+                if !tag.self_closing && !is_void(&name) {
+                    open.push(name);
                 }
             }
             Token::TagToken(tag) => {
@@ -134,15 +134,15 @@ fn misplaced_tags(html: &str) -> Vec<(u64, NestingError)> {
 mod tests {
     use super::*;
 
-    fn errors(html: &str) -> Vec<String> {
+    fn list_errors(html: &str) -> Vec<String> {
         misplaced_tags(html).into_iter().map(|(line, error)| format!("{line}: {error}")).collect()
     }
 
     #[test]
-    fn page_with_all_its_tags_has_no_faults() {
+    fn well_nested_page_has_no_faults() {
         let html = "<!DOCTYPE html><ul><li><p>a<br>b</p></li></ul><svg><path d=\"\"/></svg>\
                     <script>if (a < b) \"</p>\";</script>";
-        assert_eq!(errors(html), [""; 0]);
+        assert_eq!(list_errors(html), [""; 0]);
     }
 
     #[test]
@@ -154,8 +154,8 @@ mod tests {
             ("<div>", &["1: <div> is never closed"]),
             ("<span>\n<div></div></span>", &["2: <div> can't stand inside of <span>"]),
         ] {
-            assert_eq!(errors(&format!("<!DOCTYPE html>{html}")), error, "{html}");
+            assert_eq!(list_errors(&format!("<!DOCTYPE html>{html}")), error, "{html}");
         }
-        assert!(!errors("<p =a>b</p>").is_empty());
+        assert!(!list_errors("<p =a>b</p>").is_empty());
     }
 }

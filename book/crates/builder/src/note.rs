@@ -109,7 +109,7 @@ mod tests {
     }
 
     #[test]
-    fn note_without_a_block_before_it_has_none() {
+    fn note_without_a_block_before_it_belongs_to_none() {
         for text in [
             "{{#note A.}}",
             "# A\n\n{{#note B.}}",

@@ -6,8 +6,8 @@ use crate::fault::{ChapterError, ChapterResult};
 use crate::values::{Notation, Values};
 
 /// Fills in `{{#value name}}` and `{{#number row:hRes}}` in a text.
-pub fn fill_in_text(text: &str, values: &Values) -> ChapterResult<String> {
-    replace_directives(text, |directive| number_html(directive, values))
+pub fn fill_in_html(html: &str, values: &Values) -> ChapterResult<String> {
+    replace_directives(html, |directive| number_html(directive, values))
 }
 
 /// The HTML of the number that a directive in a text stands for.
@@ -70,17 +70,17 @@ mod tests {
     use super::*;
 
     #[test]
-    fn value_in_code_and_formulas_has_a_hyphen() {
+    fn negative_value_has_a_hyphen_in_code_and_formulas() {
         let values = Values::default();
         let b = "{{#value step02_sphere:300,150:b0}}";
-        assert_eq!(fill_in_text(b, &values).expect("a number"), "−10");
+        assert_eq!(fill_in_html(b, &values).expect("a number"), "−10");
         assert_eq!(fill_in_code(b, &values).expect("a number"), "-10");
         let unchanged = |latex: &str| Ok(latex.to_owned());
         assert_eq!(fill_in_formula(b, &values, unchanged).expect("a number"), "-10");
     }
 
     #[test]
-    fn live_numbers_of_a_formula_are_filled_in_in_their_order() {
+    fn live_numbers_are_filled_into_a_formula_in_order() {
         let latex = "{{#number row:hRes}} {{#number row:D}} {{#number row:hRes}}";
         let to_mathml =
             |latex: &str| Ok(latex.replace("\\text{", "<mtext>").replace('}', "</mtext>"));
@@ -99,7 +99,7 @@ mod tests {
     }
 
     #[test]
-    fn live_number_is_no_part_of_code() {
+    fn live_number_in_code_is_an_error() {
         let error = fill_in_code("{{#number row:D}}", &Values::default()).expect_err("an error");
         assert!(matches!(error, ChapterError::NumberInCode(_)));
     }

@@ -22,7 +22,7 @@
 
 use crate::fault::{ChapterError, ChapterResult};
 use crate::folded_box::BoxKind;
-use crate::problem::{Heading, OpenAnswer, OpenProblem, Position};
+use crate::problem::{OpenAnswer, OpenProblem, PositionPair, ProblemHeading};
 use crate::{note, pixel_panel};
 
 const DETAILS_END: &str = "</details>\n";
@@ -88,7 +88,7 @@ impl Boxes {
     pub fn begin_folded_box(
         &mut self,
         kind: BoxKind,
-        position: Position,
+        position: PositionPair,
         html: ChapterResult<String>,
     ) -> ChapterResult<String> {
         if kind == BoxKind::Answer
@@ -124,7 +124,12 @@ impl Boxes {
 
     /// Opens a problem, whose first line goes from `start` to `text_start`. `heading` is None if
     /// that line is an error.
-    pub fn begin_problem(&mut self, heading: Option<Heading>, start: usize, text_start: Position) {
+    pub fn begin_problem(
+        &mut self,
+        heading: Option<ProblemHeading>,
+        start: usize,
+        text_start: PositionPair,
+    ) {
         self.open = Some(OpenBox::Problem(OpenProblem { heading, start, text_start }));
     }
 
@@ -172,8 +177,8 @@ impl Boxes {
 mod tests {
     use super::*;
 
-    fn position(in_text: usize) -> Position {
-        Position { in_text, in_expanded: in_text }
+    fn position(in_text: usize) -> PositionPair {
+        PositionPair { in_text, in_expanded: in_text }
     }
 
     fn begin_folded_box(boxes: &mut Boxes, kind: BoxKind) -> Result<String, String> {

@@ -143,8 +143,8 @@ impl Page {
     ) -> String {
         let mut text = String::new();
         let mut start = element.text.start;
-        let around = iter::once(element).chain(self.descendants(element));
-        for left_out in around.filter(|element| is_left_out(element)) {
+        let candidates = iter::once(element).chain(self.descendants(element));
+        for left_out in candidates.filter(|element| is_left_out(element)) {
             text += self.text.get(start..left_out.text.start).unwrap_or_default();
             start = start.max(left_out.text.end);
         }
@@ -201,7 +201,7 @@ mod tests {
                         <table><td>x</td><td>y</td></table></main>";
 
     #[test]
-    fn page_has_its_elements_and_their_texts() {
+    fn parsed_page_has_its_elements_and_their_texts() {
         let page = Page::parse("a.html", HTML);
         let tags: Vec<_> = page.elements.iter().map(|element| &*element.tag).collect();
         assert_eq!(tags, ["main", "p", "b", "style", "img", "table", "td", "td"]);
@@ -213,7 +213,7 @@ mod tests {
     }
 
     #[test]
-    fn text_of_an_element_can_be_left_out() {
+    fn text_of_some_elements_can_be_left_out() {
         let page = Page::parse("a.html", HTML);
         let text =
             page.text_without(&page.elements[0], |element| ["b", "style"].contains(&&*element.tag));
@@ -221,7 +221,7 @@ mod tests {
     }
 
     #[test]
-    fn fault_has_the_address_of_the_id_before_it() {
+    fn fault_is_located_by_the_nearest_id_before_it() {
         let page = Page::parse("a.html", HTML);
         assert_eq!(page.address_for_fault(&page.elements[4]), "a.html#a");
     }

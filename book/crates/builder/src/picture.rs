@@ -58,7 +58,7 @@ pub fn load_all_pictures(html: &str) -> String {
 
 /// The HTML of `![alt text](generated/name.png "Caption")`, without the caption. The alt text of a
 /// mistake's picture comes from the list of mistakes.
-pub fn img_html_without_caption(
+pub fn image_html_from_markdown(
     markdown: &str,
     source: &str,
     sources: &Sources,
@@ -66,10 +66,10 @@ pub fn img_html_without_caption(
 ) -> ChapterResult<String> {
     // The caption may contain links as well, so the alt text ends at the first match.
     let end = format!("]({source}");
-    let alt = markdown.trim_start_matches("![").split(&end);
-    let alt: Vec<_> = alt.take(1).flat_map(str::split_whitespace).collect();
+    let alt = markdown.trim_start_matches("![").split(&end).next().unwrap_or_default();
+    let alt_words: Vec<_> = alt.split_whitespace().collect();
     image_html(
-        &mistake_effect_of_picture(source).unwrap_or(alt.join(" ")),
+        &mistake_effect_of_picture(source).unwrap_or(alt_words.join(" ")),
         source,
         sources,
         loading,
@@ -144,7 +144,7 @@ pub fn figure_html(
             (format!(" data-live=\"{}\"", figure.name), controls::controls_html(figure))
         }
         Some(Interaction::Preview(figure)) => {
-            (format!(" data-preview=\"{}\"", figure.name), controls::preview_html(figure))
+            (format!(" data-preview=\"{}\"", figure.name), controls::preview_hint_html(figure))
         }
     };
     let caption = match caption {
@@ -161,7 +161,7 @@ mod tests {
     use course::workspace;
 
     #[test]
-    fn listed_mistake_without_its_picture_names_the_command_that_draws_it() {
+    fn error_for_an_undrawn_mistake_names_the_command_that_draws_it() {
         let mut sources = Sources::read(&workspace()).expect("the sources");
         let fault = |sources: &Sources, name: &str| {
             let source = format!("generated/{name}.png");

@@ -19,10 +19,10 @@ pub struct ChapterPreprocessor(pub Arc<Sources>);
 impl ChapterPreprocessor {
     /// Reads a workspace's sources, and writes the generated files beside the chapters, where
     /// mdBook finds them and copies them into the book.
-    pub fn beside_chapters(workspace: &Path) -> Result<Self> {
+    pub fn read_sources_and_write_generated(workspace: &Path) -> Result<Self> {
         let folder = workspace.join(CHAPTERS).join(GENERATED);
         let sources = Sources::read(workspace)?;
-        sources.generated.write(&folder)?;
+        sources.generated.sync_to(&folder)?;
         Ok(Self(sources.into()))
     }
 }

@@ -11,31 +11,31 @@ pub const MAX_WORDS: usize = 80;
 /// The line that begins a problem, such as `{{#problem 7 0.622}}`. It is followed by the problem's
 /// text, `{{#answer}}`, the solution, and `{{#end}}`.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Heading {
+pub struct ProblemHeading {
     /// The number of the problem, such as 7.
     pub number: String,
     /// The answer as the author wrote it, such as 1,543,680.
     pub answer: String,
 }
 
-impl Heading {
+impl ProblemHeading {
     /// Parses the directive's words.
     pub fn parse(words: &str) -> ChapterResult<Self> {
         let (number, answer) = words.split_once(' ').ok_or(ChapterError::ProblemForm)?;
         let heading = Self { number: number.to_owned(), answer: answer.to_owned() };
-        let is_number = heading.answer_digits().parse::<f64>().is_ok();
+        let is_number = heading.answer_without_commas().parse::<f64>().is_ok();
         if is_number { Ok(heading) } else { Err(ChapterError::ProblemForm) }
     }
 
     /// The answer without commas, so that it can be parsed.
-    fn answer_digits(&self) -> String {
+    fn answer_without_commas(&self) -> String {
         self.answer.replace(',', "")
     }
 
     /// The HTML that begins the problem. In the browser, book/theme/book.js compares the reader's
     /// number with the answer: exactly if the answer is a whole number, otherwise within 1 %.
     pub fn opening_html(&self) -> String {
-        let (number, answer) = (&self.number, self.answer_digits());
+        let (number, answer) = (&self.number, self.answer_without_commas());
         let tolerance = if answer.contains('.') { 0.01 } else { 0.0 };
         format!(
             "<section class=\"problem\" id=\"problem-{number}\" data-answer=\"{answer}\" \
@@ -48,7 +48,7 @@ impl Heading {
 /// A problem in a chapter.
 #[derive(Clone, Debug)]
 pub struct Problem {
-    pub heading: Heading,
+    pub heading: ProblemHeading,
     /// Its text, expanded.
     pub text: String,
     /// The first bold words in its answer, expanded, including the asterisks.
@@ -57,7 +57,7 @@ pub struct Problem {
 
 /// A position in the text of a chapter, and the matching one in the expanded text.
 #[derive(Clone, Copy, Debug)]
-pub struct Position {
+pub struct PositionPair {
     pub in_text: usize,
     pub in_expanded: usize,
 }
@@ -66,15 +66,15 @@ pub struct Position {
 #[derive(Debug)]
 pub struct OpenProblem {
     /// The heading, or None if the first line is an error.
-    pub heading: Option<Heading>,
+    pub heading: Option<ProblemHeading>,
     /// The start of the first line.
     pub start: usize,
     /// The end of the first line.
-    pub text_start: Position,
+    pub text_start: PositionPair,
 }
 
 impl OpenProblem {
-    pub fn begin_answer(self, start: Position) -> OpenAnswer {
+    pub fn begin_answer(self, start: PositionPair) -> OpenAnswer {
         OpenAnswer { problem: self, start, bold_start: None, bold_end: None }
     }
 }
@@ -84,20 +84,20 @@ impl OpenProblem {
 pub struct OpenAnswer {
     pub problem: OpenProblem,
     /// The start of the line `{{#answer}}`.
-    start: Position,
+    start: PositionPair,
     /// The start and end of the first bold words.
-    bold_start: Option<Position>,
-    bold_end: Option<Position>,
+    bold_start: Option<PositionPair>,
+    bold_end: Option<PositionPair>,
 }
 
 impl OpenAnswer {
     /// Records where the first bold words begin, and ignores later ones.
-    pub fn record_bold_start(&mut self, position: Position) {
+    pub fn record_bold_start(&mut self, position: PositionPair) {
         self.bold_start.get_or_insert(position);
     }
 
     /// Records where bold words end, if they are the first.
-    pub fn record_bold_end(&mut self, position: Position) {
+    pub fn record_bold_end(&mut self, position: PositionPair) {
         self.bold_end.get_or_insert(position);
     }
 
@@ -150,17 +150,20 @@ mod tests {
     use super::*;
 
     #[test]
-    fn heading_is_two_numbers() {
-        let heading = Heading::parse("8 1,234").expect("a heading");
-        assert_eq!(heading, Heading { number: "8".to_owned(), answer: "1,234".to_owned() });
+    fn problem_heading_is_a_number_and_a_numeric_answer() {
+        let heading = ProblemHeading::parse("8 1,234").expect("a heading");
+        assert_eq!(heading, ProblemHeading { number: "8".to_owned(), answer: "1,234".to_owned() });
         for words in ["", "7", "7 lens", "7 0.5 m"] {
-            assert!(matches!(Heading::parse(words), Err(ChapterError::ProblemForm)), "{words}");
+            assert!(
+                matches!(ProblemHeading::parse(words), Err(ChapterError::ProblemForm)),
+                "{words}"
+            );
         }
     }
 
     #[test]
-    fn whole_number_has_no_tolerance() {
-        let html = |words| Heading::parse(words).expect("a heading").opening_html();
+    fn whole_number_answer_has_no_tolerance() {
+        let html = |words| ProblemHeading::parse(words).expect("a heading").opening_html();
         assert!(html("8 1,234").contains("data-answer=\"1234\" data-tolerance=\"0\""));
         assert!(html("7 0.5").contains("data-answer=\"0.5\" data-tolerance=\"0.01\""));
     }

@@ -74,22 +74,22 @@ struct Hint<'a> {
 
 impl<'a> SearchVocabulary<'a> {
     fn parse(text: &'a str) -> Self {
-        let mut words = Self::default();
+        let mut vocabulary = Self::default();
         let mut address = "";
         for line in text.lines().filter(|line| !line.is_empty() && !line.starts_with('#')) {
             if let Some(section) = line.strip_prefix("@ ") {
                 address = section;
             } else if let Some(group) = line.strip_prefix("= ") {
-                words.synonyms.push(split_at_commas(group).collect());
+                vocabulary.synonyms.push(split_at_commas(group).collect());
             } else if let Some(hint) = line.strip_prefix("! ") {
                 let (messages, sentence) = hint.split_once(" → ").unwrap_or((hint, ""));
                 let messages = split_at_commas(messages).collect();
-                words.hints.push(Hint { address, messages, sentence });
+                vocabulary.hints.push(Hint { address, messages, sentence });
             } else {
-                words.phrases.entry(address).or_default().extend(split_at_commas(line));
+                vocabulary.phrases.entry(address).or_default().extend(split_at_commas(line));
             }
         }
-        words
+        vocabulary
     }
 }
 

@@ -59,7 +59,7 @@ fn each_fault_is_reported_with_its_line() {
 /// Slides may be made with a program that, unlike a browser, supports no variables and no
 /// `light-dark`.
 #[test]
-fn files_of_figures_have_a_plain_style() {
+fn svg_files_of_figures_have_no_css_variables_or_functions() {
     let files: Vec<_> = SOURCES.generated.texts_with_suffix(".svg").collect();
     let is_drawing = |content: &Content| matches!(content, Content::Drawing { .. });
     assert_eq!(files.len(), FIGURES.iter().filter(|figure| is_drawing(&figure.content)).count());
@@ -73,7 +73,7 @@ fn files_of_figures_have_a_plain_style() {
 }
 
 #[test]
-fn what_nests_without_end_is_a_fault() {
+fn deep_nesting_is_a_fault() {
     let formulas =
         [("{", "}"), ("\\sqrt", ""), ("\\left(", "\\right)"), ("\\frac{1}", ""), ("x^", "")];
     let formulas =
@@ -86,7 +86,7 @@ fn what_nests_without_end_is_a_fault() {
 }
 
 #[test]
-fn a_problem_is_short() {
+fn problem_with_too_many_words_is_a_fault() {
     let problem = |words: usize| {
         let text = "word ".repeat(words);
         format!("{{{{#problem 7 0.5}}}}\n\n{text}\n\n{{{{#answer}}}}\n\n**0.5**\n\n{{{{#end}}}}\n")
@@ -105,7 +105,7 @@ fn the_sheet_has_the_problems_of_all_chapters_and_then_their_answers() {
 }
 
 #[test]
-fn problems_are_numbered_as_they_are_read_and_answered_in_bold() {
+fn problems_are_numbered_in_order_and_their_bold_answers_match_their_headings() {
     let files = Files::read(&workspace().join("book/src")).expect("chapters");
     let summary = files.text("SUMMARY.md").expect("a summary");
     let names = summary.split(['(', ')']).filter(|name| name.ends_with(".md"));
@@ -122,7 +122,7 @@ fn problems_are_numbered_as_they_are_read_and_answered_in_bold() {
 }
 
 #[test]
-fn what_leads_nowhere_or_fetches_from_elsewhere_is_a_fault() {
+fn broken_links_and_external_resources_are_faults() {
     let page = Page::parse("a.html", include_str!("tests/links.html"));
     let files = Files([("a.html".to_owned(), vec![])].into());
     let site = Site { files, pages: [("a.html".to_owned(), page)].into() };
@@ -138,12 +138,12 @@ fn small_site() -> Site {
 }
 
 #[test]
-fn search_has_the_sections_of_a_page_but_no_answer_and_nothing_hidden() {
+fn search_index_has_the_sections_of_a_page_without_answers_or_hidden_text() {
     insta::assert_snapshot!(search::index_script(&small_site(), "").expect("a script"));
 }
 
 #[test]
-fn search_has_the_words_of_readers() {
+fn search_index_has_the_phrases_hints_and_synonyms_of_readers() {
     let words = include_str!("tests/search_words.txt");
     insta::assert_snapshot!(search::index_script(&small_site(), words).expect("a script"));
 }

@@ -44,7 +44,7 @@ impl Values {
         let text = match name.split_once(':') {
             Some(("R_d", object)) => diffuse_reflectance_text(object),
             Some((figure, readout)) => self.readout(figure, readout),
-            None => measured_count(name).map(format_count),
+            None => whole_picture_number(name).map(format_count),
         };
         let text = text.ok_or_else(|| ChapterError::UnknownValue(name.to_owned()))?;
         Ok(match notation {
@@ -88,23 +88,23 @@ fn compute_readouts(figure: &Figure, pixel: Option<&str>) -> Option<Readouts> {
 }
 
 /// Computes the count with this name, or the largest change. Returns None for an unknown name.
-fn measured_count(name: &str) -> Option<usize> {
+fn whole_picture_number(name: &str) -> Option<usize> {
     Some(match name {
-        "step02-touches" => count_rays(|ray| discriminant(&SPHERE, ray) == 0.0),
+        "step02-touches" => count_primary_rays(|ray| discriminant(&SPHERE, ray) == 0.0),
         "step02-normalised" => {
             let unit_ray = |ray: &Ray| Ray { direction: ray.direction.normalize(), ..*ray };
             let has_hit = |ray: &Ray| SPHERE.intersect(ray).first_hit().is_some();
-            count_rays(|ray| has_hit(ray) != has_hit(&unit_ray(ray)))
+            count_primary_rays(|ray| has_hit(ray) != has_hit(&unit_ray(ray)))
         }
         "step03-hits" => primary_rays().map(|ray| hit_indices(&ray).count()).sum(),
-        "step03-last" => count_rays(|ray| {
+        "step03-last" => count_primary_rays(|ray| {
             let nearest = nearest(&OBJECTS, ray).map(|hit| hit.object);
             hit_indices(ray).last().map(|k| &OBJECTS[k]) != nearest
         }),
         // Object 4 is the sphere behind the eye. Its roots are negative.
-        "step03-behind" => count_rays(|ray| discriminant(&OBJECTS[4].sphere, ray) >= 0.0),
-        "step05-gate-pixels" => ungated_pixel_differences().len(),
-        "step05-gate-most" => ungated_pixel_differences().into_iter().max().unwrap_or(0),
+        "step03-behind" => count_primary_rays(|ray| discriminant(&OBJECTS[4].sphere, ray) >= 0.0),
+        "step05-gate-pixels" => pixel_changes_without_gate().len(),
+        "step05-gate-most" => pixel_changes_without_gate().into_iter().max().unwrap_or(0),
         _ => return None,
     })
 }
@@ -116,7 +116,7 @@ fn diffuse_reflectance_text(object: &str) -> Option<String> {
     Some(format!("({r}, {g}, {b})"))
 }
 
-fn count_rays(predicate: impl Fn(&Ray) -> bool) -> usize {
+fn count_primary_rays(predicate: impl Fn(&Ray) -> bool) -> usize {
     primary_rays().filter(predicate).count()
 }
 
@@ -128,7 +128,7 @@ fn hit_indices(ray: &Ray) -> impl Iterator<Item = usize> {
 
 /// Draws the picture without the test of n·l, and returns by how much each changed pixel changes.
 /// Unchanged pixels are left out.
-fn ungated_pixel_differences() -> Vec<usize> {
+fn pixel_changes_without_gate() -> Vec<usize> {
     let scene = scene();
     let ungated = render(&camera(), 1, |ray| colour_without_gate(&scene, ray));
     let picture = picture(&camera(), 1);
@@ -156,7 +156,7 @@ mod tests {
     }
 
     #[test]
-    fn r_d_is_that_of_the_object_as_it_is_in_the_scene() {
+    fn value_of_r_d_is_the_material_of_the_named_object() {
         for object in OBJECTS {
             let [r, g, b] = object.material.to_array();
             let text = Values::default().text(&format!("R_d:{}", object.name), Notation::Prose);
