@@ -1,10 +1,11 @@
-//! An algorithm in words: the content of a fence `algorithm`. Some of its lines end with the step
-//! that implements them, such as `step 1`.
+//! Algorithms in words, from code fences marked `algorithm`. A line may end with the name of the
+//! step that implements it, such as `step 1`.
 
 use course::escape_html;
 
-/// The HTML of an algorithm. The name of a step, which is set off by at least two spaces, gets an
-/// element of its own, so that the style can put it below its line on a narrow screen.
+/// Returns the HTML of an algorithm. The name of a step, which at least two spaces separate from
+/// the rest of its line, gets its own element. On a narrow screen, the stylesheet puts that element
+/// on the next line.
 pub fn algorithm_html(text: &str) -> String {
     let lines = text.split_inclusive('\n').map(|line| match split_before_step_name(line) {
         Some((words, step)) => format!("{}<span>{}</span>", escape_html(words), escape_html(step)),
@@ -13,7 +14,7 @@ pub fn algorithm_html(text: &str) -> String {
     format!("<pre class=\"algorithm\"><code>{}</code></pre>\n", lines.collect::<String>())
 }
 
-/// Splits a line in front of the spaces that set off the name of a step. Returns None if the line
+/// Splits a line before the spaces that precede the name of a step. Returns None if the line
 /// doesn't end with such a name.
 fn split_before_step_name(line: &str) -> Option<(&str, &str)> {
     let (words, _) = line.rsplit_once("  ")?;

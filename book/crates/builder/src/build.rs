@@ -16,8 +16,9 @@ use std::sync::Arc;
 
 /// Builds a workspace's book into `folder`, and returns its files and pages.
 ///
-/// Builds wait for each other on a lock. The book is written to a draft beside `folder`, which
-/// replaces the folder only once it is complete. So after a fault, the old book is still there.
+/// A lock file makes concurrent builds wait for each other. The pages are written to a draft beside
+/// `folder`, and the draft replaces the folder only once it is complete. So after a fault, the old
+/// book is still there.
 pub fn build(workspace: &Path, folder: &Path) -> Result<Site> {
     let parent = folder.parent().context("the book needs a folder of its own")?;
     fs::create_dir_all(parent).with_context(|| format!("{} can't be created", parent.display()))?;
@@ -33,8 +34,9 @@ pub fn build(workspace: &Path, folder: &Path) -> Result<Site> {
     Ok(site)
 }
 
-/// Opens the lock file without changing its contents. Anything else at its path is an error, even a
-/// symbolic link to a file, which we'd rather not follow.
+/// Opens the lock file without changing its contents, and creates it if it doesn't exist. Returns
+/// an error if something other than a regular file is at this path. That includes symbolic links,
+/// which could lead out of the folder.
 fn open_lock(path: &Path) -> Result<File> {
     let is_other = fs::symlink_metadata(path).is_ok_and(|metadata| !metadata.is_file());
     ensure!(!is_other, "{} is not a file; remove it", path.display());
@@ -42,13 +44,14 @@ fn open_lock(path: &Path) -> Result<File> {
     lock.with_context(|| format!("{} can't be opened", path.display()))
 }
 
-/// The paths beside a folder to which its old contents may be moved. There are several, because an
-/// old folder may be impossible to remove, for instance while a program has it open.
+/// The paths beside a folder to which its old version may be moved. One path isn't enough: the
+/// version that was moved there earlier can't always be removed, for instance while a program has
+/// it open.
 fn paths_aside(folder: &Path) -> impl Iterator<Item = PathBuf> {
     (1..=9).map(|number| folder.with_extension(format!("old{number}")))
 }
 
-/// Restores a folder that a killed build moved aside, and removes any other old folders.
+/// Restores a folder that a killed build moved aside, and removes all other old versions of it.
 fn restore_folder(folder: &Path) -> Result<()> {
     for aside in paths_aside(folder).filter(|aside| aside.exists()) {
         if folder.exists() {
@@ -113,8 +116,8 @@ fn finish_pages(files: &Files) -> Result<Vec<(String, String)>> {
     pages.collect()
 }
 
-/// Repairs the titles of parts in the table of contents. mdBook puts each title into a list item
-/// directly inside another list item, which HTML doesn't allow; only the inner one is kept.
+/// Repairs the part titles in the table of contents. mdBook puts each of them into a list item
+/// directly inside another list item, which HTML doesn't allow. Only the inner list item is kept.
 fn unwrap_part_titles(html: &str) -> Result<String, MissingEnd> {
     let begin = "<li class=\"chapter-item expanded \"><li class=\"part-title\">";
     replace_between(html, begin, "</li></li>", |title| {
@@ -182,10 +185,11 @@ mod tests {
         fs::rename(&book, book.with_extension("old1")).expect("put aside");
         restore_folder(&book).expect("put back");
         assert_eq!(read_index(&book), "old");
-        // Other old folders are removed. A name that is already in use is skipped.
+        // With the book in its place, old versions are removed.
         fs::create_dir_all(book.with_extension("old2")).expect("a folder");
         restore_folder(&book).expect("removed");
         assert!(!book.with_extension("old2").exists());
+        // The old book is moved to a path that isn't taken.
         fs::create_dir_all(book.with_extension("old1")).expect("a folder");
         replace_folder(&parent.join("book.draft"), &book).expect("replaced");
         assert_eq!(read_index(&book), "new");

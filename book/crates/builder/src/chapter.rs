@@ -28,11 +28,11 @@ const MAX_NESTING: usize = 20;
 #[derive(Debug, Default)]
 pub struct ExpandedChapter {
     markdown: String,
-    /// Its faults, from top to bottom.
+    /// The faults, from top to bottom.
     pub faults: Vec<Fault>,
-    /// Its problems, which readers solve on paper.
+    /// The problems, which readers solve on paper.
     pub problems: Vec<Problem>,
-    /// The position of `{{#problem-sheet}}` in the Markdown.
+    /// The position in the Markdown where `{{#problem-sheet}}` was, if there was one.
     sheet_position: Option<usize>,
 }
 
@@ -92,13 +92,13 @@ struct Chapter<'a> {
 
 type Events<'a> = [(Event<'a>, Range<usize>)];
 
-/// What happens to a part of the chapter.
+/// What to do with the part of a chapter that an event is about.
 enum Expansion {
-    /// It stays as it is, unless a part inside it is expanded.
+    /// Copy the part. The events inside it may still expand smaller parts.
     Keep,
-    /// This Markdown replaces it.
+    /// Replace the part with this Markdown.
     Replace(String),
-    /// It has been replaced already.
+    /// Nothing, because the part has already been replaced.
     Done,
 }
 
@@ -108,15 +108,14 @@ impl<'a> Chapter<'a> {
         self.expanded.faults.push(Fault { line, error });
     }
 
-    /// Copies the text unchanged, from the end of what has been expanded so far up to this
-    /// position.
+    /// Copies the text unchanged, from where the expansion has got to, up to this position.
     fn copy_until(&mut self, position: usize) {
         self.expanded.markdown += &self.text[self.expanded_end..position];
         self.expanded_end = position;
     }
 
-    /// Copies the text up to a position, and pairs that position with the one that it now has in
-    /// the expanded text.
+    /// Copies the text up to a position. Returns the position together with the corresponding one
+    /// in the expanded text.
     fn copy_until_position_pair(&mut self, in_text: usize) -> PositionPair {
         self.copy_until(in_text);
         PositionPair { in_text, in_expanded: self.expanded.markdown.len() }
@@ -167,7 +166,7 @@ impl<'a> Chapter<'a> {
                 self.add_fault(range.start, ChapterError::DeepNesting);
                 return;
             }
-            // Skip events inside a part that has been replaced already.
+            // Skip the events inside a part that has already been replaced.
             if self.expanded_end < range.end {
                 match self.expand_event(event, &events[index..], range) {
                     Ok(Expansion::Keep) => {}
@@ -182,7 +181,7 @@ impl<'a> Chapter<'a> {
         }
     }
 
-    /// Whether the block at this position has notes, and so a wrapper around it.
+    /// Whether the block at this position has notes, and therefore a wrapper.
     fn block_has_notes(&self, block_start: usize) -> bool {
         self.noted_blocks.iter().any(|block| block.start == block_start)
     }
@@ -196,8 +195,8 @@ impl<'a> Chapter<'a> {
         }
     }
 
-    /// Wraps a block that has a tool, such as the line editor, opening beside it. A block with
-    /// notes already has one.
+    /// Returns a block with the wrapper that lets a tool, such as the line editor, open beside it
+    /// in the margin. If the block has notes, it already gets its wrapper from them.
     fn ensure_margin_wrapper(&self, block: String, block_start: usize) -> String {
         if self.block_has_notes(block_start) {
             block
@@ -220,7 +219,7 @@ impl<'a> Chapter<'a> {
         html.map(|html| if is_last { html + &note::wrapper_closing_html() } else { html })
     }
 
-    /// Expands the part of the chapter that an event begins.
+    /// Expands the part of the chapter that begins with this event.
     fn expand_event(
         &mut self,
         event: &Event,
@@ -296,8 +295,8 @@ impl<'a> Chapter<'a> {
         }
     }
 
-    /// Expands a code block: an include becomes a listing, and commands get a caption. Rust typed
-    /// directly into a chapter is a fault, since nothing would compile it.
+    /// Expands a code block: an include becomes a listing, and the fences `console` and `algorithm`
+    /// become HTML. Rust typed directly into a chapter is a fault, since nothing would compile it.
     fn expand_code_block(
         &mut self,
         kind: &CodeBlockKind,
@@ -371,9 +370,8 @@ impl<'a> Chapter<'a> {
                 let position = self.copy_until_position_pair(range.start);
                 self.boxes.begin_folded_box(kind, position, html)?
             }
-            // The first three belong in a sentence, and the rest can't stand here at all. The text
-            // inside this paragraph has an event of its own, which fills in the former and reports
-            // the latter.
+            // The first three are allowed in any text, and the others are misplaced here. The event
+            // of this paragraph's text comes next. It fills in the former, and reports the latter.
             DirectiveKind::Value
             | DirectiveKind::Number
             | DirectiveKind::OurFolder
@@ -384,7 +382,7 @@ impl<'a> Chapter<'a> {
         }))
     }
 
-    /// Expands the first line of a problem, after which the problem is open.
+    /// Expands the first line of a problem, and opens the problem.
     fn expand_problem_heading(&mut self, words: &str, range: &Range<usize>) {
         let (heading, html) = match ProblemHeading::parse(words) {
             Ok(heading) => {
@@ -450,7 +448,7 @@ impl<'a> Chapter<'a> {
         }))
     }
 
-    /// The HTML of these pictures. Several pictures are placed side by side.
+    /// Returns the HTML of these pictures. Several pictures are placed side by side.
     fn figures_html(
         &mut self,
         pictures: &[ChapterPicture],
@@ -477,7 +475,7 @@ struct ChapterPicture<'a> {
     caption: &'a str,
 }
 
-/// How a picture with this directive, `live` or `preview`, reacts to a reader.
+/// Finds the interaction that a directive `live` or `preview` gives to a picture.
 fn find_interaction(directive: Directive) -> ChapterResult<Interaction<'static>> {
     let Directive { kind, words } = directive;
     let figure =
@@ -486,7 +484,7 @@ fn find_interaction(directive: Directive) -> ChapterResult<Interaction<'static>>
     Ok(make(figure))
 }
 
-/// Whether code is a name such as `Ray::at`, inside which a line may break.
+/// Whether code is a name such as `Ray::at`, which may be broken between two lines.
 fn is_breakable_name(code: &str) -> bool {
     let in_name = |c: char| c.is_ascii_alphanumeric() || "_:/.-".contains(c);
     code.chars().all(in_name) && code.contains(['_', ':', '/'])

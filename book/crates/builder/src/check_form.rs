@@ -3,12 +3,13 @@
 use crate::Sources;
 use crate::fault::{ChapterError, ChapterResult};
 
-/// Stands for the name of the picture in a form for any picture. book/theme/check_form.js has the
-/// same constant.
+/// The value of `data-check` in the form that accepts any picture. Other forms have the name of a
+/// picture there. book/theme/check_form.js has the same constant.
 const ANY_PICTURE: &str = "*";
 
-/// The HTML for `{{#check name}}`: a form onto which a reader drops a picture to find out whether
-/// it is right. Without a name, the name of the reader's file says which picture it should be.
+/// Returns the HTML for `{{#check name}}`: a form onto which a reader drops a picture to find out
+/// whether it is right. If `picture_name` is empty, the name of the reader's file says which
+/// picture it should be.
 ///
 /// The form is hidden until book/theme/check_form.js shows it, since it doesn't work without
 /// scripts.

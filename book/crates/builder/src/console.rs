@@ -1,27 +1,27 @@
-//! Commands for the reader to type. A caption says so if they are for our folder.
+//! Consoles: commands for the reader to type. Commands for our folder get a caption that says so.
 
 use crate::fault::{ChapterError, ChapterResult};
 use crate::markdown::html_block;
 use course::escape_html;
 
-/// The kinds of consoles. They differ in the folder for which the commands are meant, and in how
-/// the last of these ends.
+/// The kinds of consoles. They differ in the folder that the commands are for, and in whether the
+/// commands succeed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ConsoleKind {
     /// The commands are for our folder.
     Ours,
     /// The commands are for the reader's folder, and they succeed.
     Yours,
-    /// A program of the reader's refuses its arguments.
+    /// The commands are for the reader's folder, and the program refuses its arguments.
     Refused,
-    /// A test of the reader's fails.
+    /// The commands are for the reader's folder, and a test fails.
     Fails,
 }
 
 impl ConsoleKind {
     const ALL: [Self; 4] = [Self::Ours, Self::Yours, Self::Refused, Self::Fails];
 
-    /// Its words after `console,` in a chapter.
+    /// The words after `console,` in a fence of this kind.
     fn fence_words(self) -> &'static str {
         match self {
             Self::Ours => "ours",
@@ -31,7 +31,7 @@ impl ConsoleKind {
         }
     }
 
-    /// The value of `data-folder` on a page.
+    /// The value of the attribute `data-folder` on a page.
     fn data_folder(self) -> String {
         self.fence_words().replace(',', " ")
     }
@@ -42,9 +42,9 @@ impl ConsoleKind {
     }
 }
 
-/// Returns commands for the reader to type. `words` say which kind of console it is. Only commands
-/// for our folder have a caption, since nearly all others are for the reader's, and step 1 says that
-/// once for all of them.
+/// Returns the Markdown of a console. `fence_words`, from the code fence, say which kind it is.
+/// Only commands for our folder get a caption. Nearly all commands are for the reader's folder, and
+/// step 1 says that once.
 pub fn console_markdown(fence_words: &str, commands: &str) -> ChapterResult<String> {
     let kind = ConsoleKind::ALL
         .into_iter()
@@ -62,7 +62,7 @@ pub fn console_markdown(fence_words: &str, commands: &str) -> ChapterResult<Stri
     let opening = format!(
         "<figure class=\"console\" aria-label=\"Commands\" data-folder=\"{folder}\">{caption}"
     );
-    // As a block of its own, it may contain blank lines.
+    // In Markdown, a block of HTML may contain blank lines if it begins with `<pre>`.
     let block = format!("<pre><code>{}</code></pre>", commands.trim_start());
     Ok([&opening, &block, "</figure>"].map(html_block).concat())
 }

@@ -13,12 +13,13 @@ const SCENE_HINT: &str = "<span class=\"hint\">Drag a ball, and the code of step
 
 const RESET: &str = "<button type=\"button\" class=\"reset\" disabled>Reset</button>";
 
-/// The HTML of the controls below a figure, one for each parameter. The number fields of parameters
-/// that a handle sets are folded away. In an editable scene, the reader chooses an object, and the
-/// page shows the controls of that object only.
+/// Returns the HTML of the controls below a figure, one for each parameter. Parameters that a
+/// handle sets have number fields, which are folded away. In an editable scene, the reader chooses
+/// an object, and the page shows only the controls for that object.
 ///
-/// The controls stay hidden if no script can make the figure interactive. Otherwise they are
-/// visible from the start, and work as soon as the module has loaded; see book/theme/figure.js.
+/// The controls are hidden in the HTML, so that nobody sees them if no script can make the figure
+/// interactive. Otherwise book/theme/figure.js shows them at once, and they work as soon as the
+/// module has loaded.
 pub fn controls_html(figure: &Figure) -> String {
     let (mut folded, mut above, mut below) = (vec![], String::new(), String::new());
     for parameter in &figure.parameters {
@@ -57,7 +58,7 @@ pub fn preview_hint_html(figure: &Figure) -> String {
     format!("<div class=\"controls\" hidden>{hint}</div>")
 }
 
-/// The folded number fields. The coordinates of an object share a row.
+/// Returns the HTML of the folded number fields. The coordinates of an object share a row.
 fn folded_fields_html(folded: &[Control]) -> String {
     if folded.is_empty() {
         return String::new();
@@ -97,8 +98,8 @@ impl Control<'_> {
         self.figure.editable_scene.as_ref().and(self.parameter.id.object())
     }
 
-    /// Whether the control is shown before the reader touches anything. In an editable scene, only
-    /// the controls of the first object that has a handle are shown then.
+    /// Whether the control is shown before the reader touches anything. In an editable scene, this
+    /// is so only for the controls of the object that the first handle moves.
     fn is_shown_at_first(&self) -> bool {
         let Self { figure, parameter } = self;
         let handle = figure.handles.first().filter(|_| figure.editable_scene.is_some());
@@ -107,8 +108,8 @@ impl Control<'_> {
         (parameter.has_control)(parameter, &figure.default_values()) && is_of_first_object
     }
 
-    /// The HTML of the control at its default value. A parameter that a handle sets gets a number
-    /// field without a slider.
+    /// Returns the HTML of the control, set to the parameter's default value. A number in a folded
+    /// control has no slider.
     fn html(&self) -> String {
         let Parameter { id, symbol, label, unit, range: [min, max], default, .. } = self.parameter;
         let step = self.parameter.step();

@@ -16,7 +16,7 @@ pub struct Directive<'a> {
     pub words: &'a str,
 }
 
-/// The kinds of directives. The top of lib.rs says what each of them is for.
+/// The kinds of directives. The top of lib.rs explains what each of them is for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum DirectiveKind {
     Include,
@@ -93,8 +93,8 @@ impl DirectiveKind {
 }
 
 impl<'a> Directive<'a> {
-    /// Parses a text that is one directive and nothing else. Returns None for any other text, and
-    /// for a directive that doesn't exist.
+    /// Parses a text that consists of a single directive. Returns None for any other text, and for
+    /// a directive of an unknown kind.
     pub fn parse(text: &'a str) -> Option<Self> {
         Self::parse_inside(text.trim().strip_prefix("{{#")?.strip_suffix("}}")?)
     }

@@ -90,7 +90,7 @@ pub enum ChapterError {
     CodeNotIncluded,
     #[error("the file {path} can't be read")]
     UnreadableFile { path: String, source: io::Error },
-    #[error("a part of a file is BEGIN..END, the first words of two of its lines, not {0}")]
+    #[error("a part of a file is written BEGIN..END, with the first words of two lines, not {0}")]
     PartForm(String),
     #[error("no line there begins with {0:?}")]
     UnknownLine(String),
@@ -124,13 +124,13 @@ pub enum ChapterError {
 /// The result of expanding part of a chapter.
 pub type ChapterResult<T> = Result<T, ChapterError>;
 
-/// All faults in a book, one sentence each. They stop the build.
+/// The error that stops a build. It holds all faults in the book, one sentence each.
 #[derive(Debug, Error)]
 #[error("{}\nThe book was not built.", .0.join("\n"))]
 pub struct Faults(Vec<String>);
 
 impl Faults {
-    /// Returns an error that holds all these faults, if there are any.
+    /// Returns an error with all these faults, or Ok if there are none.
     pub fn ensure_none(faults: impl IntoIterator<Item = impl Display>) -> Result<(), Self> {
         let sentences: Vec<_> = faults.into_iter().map(|fault| fault.to_string()).collect();
         if sentences.is_empty() { Ok(()) } else { Err(Self(sentences)) }

@@ -23,8 +23,8 @@ pub fn svg_files(workspace: &Path) -> Result<Vec<(String, Vec<u8>)>> {
     Ok(files.collect())
 }
 
-/// Returns the rules that begin with `.drawing `, without that class. Variables are replaced with
-/// their values, since few programs other than browsers support them.
+/// Returns the CSS rules that begin with `.drawing `, without that class. Variables are replaced
+/// with their values in the light theme, since few programs other than browsers support them.
 fn standalone_style(rules: &str, variables: &str) -> String {
     let rules = rules.lines().filter(|rule| rule.starts_with(".drawing "));
     let mut style: String = rules.map(|rule| rule.replace(".drawing ", "")).collect();

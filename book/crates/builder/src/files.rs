@@ -46,8 +46,8 @@ impl Files {
         Ok(Self(files))
     }
 
-    /// Writes the files into `folder`, and removes all other files there. A file that is up to date
-    /// isn't touched, because `mdbook serve` would notice and build again.
+    /// Makes `folder` contain these files and no others. A file that is up to date isn't written
+    /// again, because `mdbook serve` would notice that and rebuild the book.
     pub fn sync_to(&self, folder: &Path) -> Result<()> {
         fs::create_dir_all(folder)
             .with_context(|| format!("{} can't be created", folder.display()))?;

@@ -35,7 +35,7 @@ impl BoxKind {
     }
 }
 
-/// The HTML for a directive such as `{{#predict a question}}`, which begins a box.
+/// Returns the HTML for a directive such as `{{#predict a question}}`, which begins a box.
 pub fn opening_html(kind: BoxKind, summary: &str, values: &Values) -> ChapterResult<String> {
     let (name, label, words) = (kind.name(), kind.label(), inline_html(summary, values)?);
     Ok(format!(

@@ -43,9 +43,9 @@ fn convert(latex: &str, style: MathDisplay) -> ChapterResult<String> {
     }
 }
 
-/// Levels the subscripts of letters that reach below the line with those of other letters: y₀ with
-/// x₀. A browser puts a subscript below the tail of such a letter. Giving the letter a depth of 0
-/// hides the tail from the browser.
+/// Puts the subscripts of letters with a descender at the height of all others, so that y₀ looks
+/// like x₀. A browser would put the subscript of y lower, below its descender. With a depth of 0,
+/// the letter has no descender as far as the browser knows.
 fn align_subscripts(mut mathml: String) -> String {
     for letter in ["g", "p", "q", "y"] {
         let plain = format!("<msub><mi>{letter}</mi>");

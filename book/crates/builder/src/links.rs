@@ -8,13 +8,13 @@ use figures::{find_figure, parse_address};
 use std::collections::BTreeSet;
 use thiserror::Error;
 
-/// A link on a page that leads nowhere, or that fetches something from elsewhere.
+/// An address on a page that leads nowhere, or that would be fetched from outside the book.
 #[derive(Debug, Error)]
 #[error("{location}: {error}")]
 pub struct LinkFault {
-    /// The page, and the nearest id at or before the link.
+    /// The page, and the nearest id at or before the address.
     location: String,
-    /// What is wrong with its address.
+    /// What is wrong with the address.
     error: LinkError,
 }
 
@@ -29,8 +29,8 @@ enum LinkError {
     UnknownId { id: String, path: String },
 }
 
-/// Finds the links that lead nowhere, and everything that would be fetched from elsewhere. Skips
-/// the pages that only repeat the chapters.
+/// Finds the addresses that lead nowhere, and those that would be fetched from outside the book.
+/// Skips the pages that only repeat the chapters.
 pub fn find_address_faults(site: &Site) -> Vec<LinkFault> {
     let with_id = site.pages.values().flat_map(|page| {
         page.elements.iter().map(|element| (page.name.as_str(), element.attr("id")))
@@ -54,13 +54,13 @@ pub fn find_address_faults(site: &Site) -> Vec<LinkFault> {
     faults
 }
 
-/// Every address that an element links to or loads, with the name of the attribute that holds it.
-/// The name is empty for an address inside a `<style>`.
+/// Returns every address that an element links to or loads, after the name of the attribute that
+/// contains it. The name is empty for an address inside a `<style>`.
 fn addresses_in<'a>(page: &'a Page, element: &'a Element) -> Vec<(&'a str, &'a str)> {
     let mut addresses: Vec<(&str, &str)> = vec![];
     for (name, value) in &element.attributes {
         match &**name {
-            // A `<base>` says where the book is, but fetches nothing.
+            // A `<base>` only says where the book is, and nothing is fetched from there.
             "href" if element.tag == "base" => {}
             "href" | "src" => addresses.push((name, value)),
             "srcset" => {
@@ -111,9 +111,10 @@ fn check_address(
     if is_known { Ok(()) } else { Err(LinkError::UnknownId { id: id.to_owned(), path }) }
 }
 
-/// Whether a script on the page understands `id`, the end of an address: `pixel=470,120`, if a
-/// pixel can be chosen there; `line=gate:true`, if that line can be edited there; or `scene=…`, if
-/// the page has the editable scene and the rest is a valid address of a scene.
+/// Whether `id`, the fragment of an address, is meant for a script on the page. The scripts
+/// understand `pixel=470,120` on a page with a pixel panel, `line=gate:true` on a page where the
+/// place `gate` can be edited, and `scene=…` on the page with the editable scene, if the rest
+/// describes a scene.
 fn is_for_script(page: &Page, id: &str) -> bool {
     match id.split_once('=') {
         Some(("pixel", _)) => page.attribute_values("data-panel").next().is_some(),
@@ -132,7 +133,7 @@ fn is_for_script(page: &Page, id: &str) -> bool {
     }
 }
 
-/// The addresses that a stylesheet fetches: those in `url(…)` and after `@import`.
+/// The addresses from which a stylesheet fetches something: those in `url(…)` and after `@import`.
 fn style_urls(css: &str) -> impl Iterator<Item = &str> {
     let urls = css.split("url(").skip(1).filter_map(|rest| rest.split(')').next());
     let imports = css.split("@import \"").skip(1).filter_map(|rest| rest.split('"').next());

@@ -31,8 +31,9 @@ pub struct ExpandedListing {
 /// files in the reader's own folder. The first listing of a file on a page gets an id for links,
 /// such as `listing-step01_rays-src-ray.rs`; `ids` collects these.
 ///
-/// In a fence `rust,own_scene`, `scene` is `own_scene`: once the reader changes that scene, the
-/// page shows the scene's program instead of the file. In a fence `rust`, `scene` is empty.
+/// In a fence `rust,own_scene`, `scene` is `own_scene`: once the reader changes that editable
+/// scene, the page shows the scene's program in place of the file. In a fence `rust`, `scene` is
+/// empty.
 pub fn expand_listing(
     language: &str,
     scene: &str,
@@ -73,7 +74,7 @@ struct Listing<'a> {
     new_lines: Vec<usize>,
     /// The places in the code that a reader may edit, if there are any.
     places: Option<String>,
-    /// The editable scene whose program replaces the file on the page.
+    /// The editable scene whose program replaces the code once a reader changes the scene.
     scene: Option<&'a str>,
 }
 
@@ -104,7 +105,7 @@ impl Extent {
     }
 }
 
-/// A listing with at most this many lines isn't split between two pages on paper.
+/// The maximum number of lines in a listing that isn't split between two sheets of paper.
 const MAX_UNSPLIT_LINES: usize = 25;
 
 impl Listing<'_> {
@@ -137,7 +138,7 @@ impl Listing<'_> {
             ids.push(id);
         }
         attributes.push(("data-path", escape_html(self.path)));
-        // The stylesheet for paper keeps it in one piece.
+        // The stylesheet for paper keeps such a listing in one piece.
         if self.code.lines().count() <= MAX_UNSPLIT_LINES {
             attributes.push(("data-short", String::new()));
         }
@@ -147,8 +148,8 @@ impl Listing<'_> {
         attributes.collect()
     }
 
-    /// The CSS for the number of lines, and for a bar beside each new line unless more than half of
-    /// the lines are new.
+    /// The CSS variables of the listing: the number of lines, and a background that draws a bar
+    /// beside each new line. If more than half of the lines are new, none has a bar.
     fn style(&self) -> String {
         let mut style = format!("--lines: {}", self.code.split('\n').count());
         let are_few = 2 * self.new_lines.len() <= self.code.lines().count();
@@ -180,9 +181,9 @@ fn new_lines(code: &str, old: &str) -> Vec<usize> {
     lines.map(|(k, _)| k).collect()
 }
 
-/// Lists the places in the code that a reader may edit, for book/theme/line_editor.js: the name of
-/// each place, and its start and length in UTF-16 code units, as JavaScript counts. Returns None if
-/// there are none.
+/// Lists the places in the code that a reader may edit, for book/theme/line_editor.js. Each entry
+/// is the name of a place, its start and its length. Both are in UTF-16 code units, because
+/// JavaScript counts in them. Returns None if the code has no places.
 fn places_list(path: &str, code: &str) -> Option<String> {
     let code_units = |text: &str| text.encode_utf16().count();
     let file = path.strip_prefix("steps/")?;

@@ -34,8 +34,8 @@ fn preprocess_stdin() -> Result<()> {
     Ok(serde_json::to_writer(stdout(), &book)?)
 }
 
-/// Builds the book, and prints its progress. Errors while printing are ignored, so that the book is
-/// built even if nobody reads the output any more.
+/// Builds the book, prints progress, and opens the book if `opens_browser` is true. Errors while
+/// printing are ignored, so that the book is built even if the output has been closed.
 fn build_and_report(opens_browser: bool) -> Result<()> {
     let start = Instant::now();
     let _ = writeln!(stdout(), "Building the book …");

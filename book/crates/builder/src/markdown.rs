@@ -1,4 +1,4 @@
-//! The Markdown that chapters are written in, and the conversion of single paragraphs to HTML.
+//! How chapters are parsed as Markdown, and how a single paragraph becomes HTML.
 
 use crate::fault::{ChapterError, ChapterResult};
 use crate::values::Values;
@@ -37,18 +37,18 @@ pub fn inline_html(markdown: &str, values: &Values) -> ChapterResult<String> {
     numbers::fill_in_html(&text.replace('\n', " "), values)
 }
 
-/// Writes HTML as a block of Markdown. Without the blank lines, a paragraph before it would go on,
-/// and Markdown after it would be taken for HTML.
+/// Returns HTML as a block of Markdown, with blank lines around it. Otherwise a paragraph before
+/// the block would include it, and Markdown after the block would be taken for HTML.
 pub fn html_block(html: &str) -> String {
     format!("\n{}\n\n", html.trim_end())
 }
 
-/// The HTML of a name in code, which may be broken in a narrow column.
+/// Returns the HTML of a name in code. A browser may break the name in a narrow column.
 pub fn code_with_break_hints(code: &str) -> String {
     format!("<code>{}</code>", with_break_hints(code))
 }
 
-/// The HTML of a name or a path, which may be broken after `::`, `/` and `_`.
+/// Returns the HTML of a name or a path. A browser may break it after `::`, `/` and `_`.
 pub fn with_break_hints(name: &str) -> String {
     name.replace("::", "::<wbr>").replace('/', "/<wbr>").replace('_', "&#95;<wbr>")
 }

@@ -9,9 +9,9 @@ use crate::sources::small_picture_name;
 use crate::values::Values;
 use course::{Mistake, MistakePicture, ShownMistake, Step, escape_html, mistakes};
 
-/// The Markdown for `{{#mistakes step01_rays}}`: first a contact sheet of the mistakes that show in
-/// that step's picture, then a section for each mistake, with its picture, our picture, their
-/// difference, the diff, and the reason.
+/// Returns the Markdown for `{{#mistakes step01_rays}}`. It begins with a contact sheet of the
+/// mistakes that are visible in that step's picture. A section for each mistake follows, with its
+/// picture, our picture, their difference, the diff, and the reason.
 pub fn gallery_markdown(
     step_name: &str,
     sources: &Sources,
@@ -57,8 +57,9 @@ fn reason_markdown(
     Ok(format!("{reason} [Step {}, “{section}”]({chapter}.md#{id})", step.number()))
 }
 
-/// The picture with a mistake, our picture of that step, and their difference, which the browser
-/// computes by blending the two.
+/// Returns the HTML of three panels: the picture with a mistake, which is the file `yours`, our
+/// picture of that step, and their difference. The browser computes the difference by blending the
+/// two pictures.
 fn panels_html(
     yours: &str,
     step: Step,
@@ -80,7 +81,7 @@ fn panels_html(
     ))
 }
 
-/// The HTML of a mistake's title. It begins with a capital letter, unless it begins with a symbol.
+/// Returns the HTML of a mistake's title, with a capital letter unless it begins with a symbol.
 fn title_html(Mistake { title, .. }: &Mistake, values: &Values) -> ChapterResult<String> {
     let word = title.split(' ').next().unwrap_or_default();
     let is_word = word.len() > 1 && word.chars().all(|c| c.is_ascii_lowercase());
@@ -91,7 +92,7 @@ fn title_html(Mistake { title, .. }: &Mistake, values: &Values) -> ChapterResult
     inline_html(&symbols_as_formulas(&title), values)
 }
 
-/// The diff of a mistake: the right lines, then the wrong lines that replace them.
+/// Returns the HTML of a mistake's diff: the right lines, then the wrong lines that replace them.
 fn changed_lines_html(mistake: &Mistake) -> String {
     let path = mistake.file.strip_prefix("steps/").unwrap_or(&mistake.file);
     let lines = |tag: &str, sign: &str, text: &str| {

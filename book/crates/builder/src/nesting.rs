@@ -1,5 +1,5 @@
-//! Checks that the elements of every page are nested as HTML requires: each is closed inside the
-//! element that it was opened in, and text such as a label contains no blocks.
+//! Checks that the elements on every page are nested as HTML requires: an element ends before the
+//! element around it does, and an element for text, such as a label, contains no blocks.
 //!
 //! A browser wouldn't complain about any of this. It guesses what was meant, and shows a page that
 //! nobody wrote.
@@ -85,7 +85,7 @@ pub fn find_faults(site: &Site) -> Vec<NestingFault> {
     faults.collect()
 }
 
-/// The misplaced tags on a page, each with its line.
+/// Finds the misplaced tags on a page. Each error comes with its line.
 fn misplaced_tags(html: &str) -> Vec<(u64, NestingError)> {
     let (mut errors, mut open) = (vec![], Vec::<String>::new());
     let mut last_line = 0;

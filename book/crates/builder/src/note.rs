@@ -7,12 +7,12 @@ use crate::values::Values;
 use mdbook_markdown::pulldown_cmark::{Event, Tag};
 use std::ops::Range;
 
-/// Opens the wrapper around a block and the notes that stand beside it.
+/// Opens the wrapper around a block, its notes, and the tool that may open beside it.
 pub fn wrapper_opening_html() -> String {
     html_block("<div class=\"with-margin\">")
 }
 
-/// Closes that wrapper after the last note.
+/// Closes the wrapper that [`wrapper_opening_html`] opens.
 pub fn wrapper_closing_html() -> String {
     html_block("</div>")
 }
@@ -28,7 +28,7 @@ pub enum NoteKind {
     ByHand,
 }
 
-/// The HTML of a note: `{{#note words}}`, `{{#rust words}}` or `{{#by-hand test}}`.
+/// Returns the HTML of a note: `{{#note words}}`, `{{#rust words}}` or `{{#by-hand test}}`.
 pub fn note_html(kind: NoteKind, words: &str, values: &Values) -> ChapterResult<String> {
     let (class, label) = match kind {
         NoteKind::Note => ("note", ""),
@@ -42,9 +42,8 @@ pub fn note_html(kind: NoteKind, words: &str, values: &Values) -> ChapterResult<
     Ok(format!("<aside class=\"{class}\" role=\"note\">{label}{words}</aside>\n"))
 }
 
-/// Finds each block that is followed by notes, and returns the range that covers the block and its
-/// notes. A heading can't have notes, and neither can HTML or a directive that begins or ends a
-/// box.
+/// Finds each block that is followed by notes. Returns ranges that each cover a block and its
+/// notes. Headings, HTML, and directives that begin or end a box can't have notes.
 pub fn find_noted_blocks(text: &str, events: &[(Event, Range<usize>)]) -> Vec<Range<usize>> {
     let mut noted: Vec<Range<usize>> = vec![];
     // The range of the last block and its notes so far, or None if that block can't have notes.

@@ -5,12 +5,12 @@ use crate::directive::{Directive, DirectiveKind, replace_directives};
 use crate::fault::{ChapterError, ChapterResult};
 use crate::values::{Notation, Values};
 
-/// Fills in `{{#value name}}` and `{{#number row:hRes}}` in a text.
+/// Fills in `{{#value name}}` and `{{#number row:hRes}}` in the HTML of a text.
 pub fn fill_in_html(html: &str, values: &Values) -> ChapterResult<String> {
     replace_directives(html, |directive| number_html(directive, values))
 }
 
-/// The HTML of the number that a directive in a text stands for.
+/// Returns the HTML of the number that a directive in a text stands for.
 pub fn number_html(directive: Directive, values: &Values) -> ChapterResult<String> {
     match directive.kind {
         DirectiveKind::Value => values.text(directive.words, Notation::Prose),
@@ -28,10 +28,10 @@ pub fn fill_in_code(code: &str, values: &Values) -> ChapterResult<String> {
     })
 }
 
-/// Fills in `{{#value name}}` and `{{#number row:hRes}}` in a formula, and converts it with
-/// `to_mathml`. LaTeX has no notation for a live number, so each one is first converted as a
-/// placeholder, the text `live0`, `live1` and so on, and the placeholder is then replaced with the
-/// number.
+/// Fills in `{{#value name}}` and `{{#number row:hRes}}` in a formula, and converts the formula
+/// with `to_mathml`. LaTeX has no notation for a live number, so the LaTeX contains a placeholder
+/// for each: the text `live0`, `live1` and so on. In the MathML, the number then replaces its
+/// placeholder.
 pub fn fill_in_formula(
     latex: &str,
     values: &Values,
@@ -59,7 +59,8 @@ pub fn fill_in_formula(
     Ok(filled + rest)
 }
 
-/// The HTML of a number that the page updates. It contains the number for the default parameters.
+/// Returns an element `tag` with a number that the page updates. It contains the number for the
+/// default parameters.
 pub fn live_number_html(tag: &str, name: &str, values: &Values) -> ChapterResult<String> {
     let default_text = values.text(name, Notation::Prose)?;
     Ok(format!("<{tag} data-number=\"{name}\">{default_text}</{tag}>"))

@@ -1,4 +1,4 @@
-//! The boxes of a chapter: which one is open, and the HTML that opens and closes it.
+//! The boxes in a chapter: which of them is open, and the HTML that opens and closes a box.
 //!
 //! Folded boxes, panels of pictures, and problems are all boxes. They don't nest, and the same
 //! `{{#end}}` closes any of them, so there are four states:
@@ -11,14 +11,14 @@
 //! | problem | `answer` | answer |
 //! | simple box, answer | `end` | no box |
 //!
-//! Everything else is an error. After an error, the state is the one in which the next `{{#end}}`
-//! isn't reported as well: a box counts as open even if its first line is an error, and a box in a
-//! problem that has no answer yet takes the problem's place.
+//! Everything else is an error. To avoid a second error at the next `{{#end}}`, a box counts as
+//! open even if its first line is an error. For the same reason, a box that begins in a problem
+//! before the answer replaces that problem as the open box.
 //!
-//! A panel belongs to the picture with a probe above it, and one wrapper holds both, so that the
-//! panel can stand in the margin. [`Boxes::await_panel`] opens the wrapper before the picture, and
-//! decides at the same time what will close it. A picture with notes already has a wrapper, which
-//! ends with its last note.
+//! A panel belongs to the picture with a probe above it. Both are in one wrapper, so that the panel
+//! can stand in the margin. [`Boxes::await_panel`] opens the wrapper before the picture, and stores
+//! the HTML that closes it after the panel. A picture with notes already has a wrapper, which ends
+//! after the last note, so nothing needs to be opened or closed.
 
 use crate::fault::{ChapterError, ChapterResult};
 use crate::folded_box::BoxKind;
@@ -27,7 +27,7 @@ use crate::{note, pixel_panel};
 
 const DETAILS_END: &str = "</details>\n";
 
-/// The boxes of a chapter that is being read from top to bottom.
+/// The state of the boxes while a chapter is read from top to bottom.
 #[derive(Debug, Default)]
 pub struct Boxes {
     open: Option<OpenBox>,
@@ -53,8 +53,8 @@ struct ProbedPicture {
     name: &'static str,
     /// The start of its paragraph in the chapter.
     start: usize,
-    /// What closes the wrapper around the picture and its panel, or empty if the wrapper ends with
-    /// a note.
+    /// The HTML that closes the wrapper after the panel, or nothing if the wrapper ends after a
+    /// note.
     wrapper_end_html: String,
 }
 
@@ -84,7 +84,8 @@ impl Boxes {
         html
     }
 
-    /// Opens a folded box, or the answer to the open problem. `html` is the box's first line.
+    /// Opens a folded box, or the answer to the open problem. Returns `html`, the expansion of the
+    /// box's first line, unless no box can begin here.
     pub fn begin_folded_box(
         &mut self,
         kind: BoxKind,
@@ -108,7 +109,7 @@ impl Boxes {
                 self.open = Some(OpenBox::Simple { start, end_html });
                 Ok(())
             }
-            // The next `{{#end}}` is that of this box, and also ends the problem.
+            // The next `{{#end}}` closes this box, and no other one follows for the problem.
             Some(OpenBox::Problem(problem)) => {
                 self.open = Some(OpenBox::Simple { start: problem.start, end_html });
                 Err(ChapterError::MissingAnswer)
@@ -141,7 +142,7 @@ impl Boxes {
         }
     }
 
-    /// Closes the open box. Returns the HTML for that and, if the box is the answer to a problem,
+    /// Closes the open box. Returns the closing HTML and, if the box is the answer to a problem,
     /// the answer.
     pub fn end_box(&mut self) -> ChapterResult<(String, Option<OpenAnswer>)> {
         match self.open.take() {
@@ -154,8 +155,8 @@ impl Boxes {
         }
     }
 
-    /// Returns what is missing at the end of the chapter, each with the position of the line that
-    /// needs it.
+    /// Finds the panels and `{{#end}}` that are missing at the end of the chapter. Each error has
+    /// the position of its picture or box.
     pub fn find_missing_parts(&self) -> Vec<(usize, ChapterError)> {
         let open = self.open.iter().map(|open| {
             let start = match open {

@@ -1,4 +1,4 @@
-//! The finished book as readers get it: its pages, and the elements and text of each.
+//! The finished book as readers get it: its pages, with their elements and text.
 
 use crate::Files;
 use anyhow::Result;
@@ -86,7 +86,7 @@ impl Page {
         let mut text = String::new();
         let mut open: Vec<usize> = vec![];
         for (token, _) in tokens(html) {
-            // The text before such a tag and the text after it belong to different words.
+            // A space keeps words on different lines or in different cells apart.
             if matches!(&token, Token::TagToken(tag) if matches!(&*tag.name, "br" | "td" | "th")) {
                 text.push(' ');
             }
@@ -151,8 +151,8 @@ impl Page {
         text + &self.text[start..element.text.end]
     }
 
-    /// Where an element is, for a message about a fault: its page, and the nearest id at or before
-    /// it.
+    /// Returns the location of an element, for a message about a fault: the page, and the nearest
+    /// id at or before the element.
     pub fn address_for_fault(&self, element: &Element) -> String {
         let mut elements = self.elements[..element.descendants.start].iter().rev();
         let id = elements.find_map(|element| element.attr("id"));

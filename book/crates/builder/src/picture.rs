@@ -9,9 +9,9 @@ use course::{escape_html, mistakes};
 use figures::Figure;
 use std::mem;
 
-/// How wide a picture is on a page, for a browser that chooses one of several sizes: as wide as the
-/// text, or as the window without the gutters. It's in pixels, because a rem would be the browser's
-/// here, not the page's.
+/// The attribute `sizes` of a picture that comes in several sizes, which tells the browser how wide
+/// the picture will be: as wide as the text, or as the window without the gutters. The widths are
+/// in pixels, because in this attribute a rem is the browser's default font size, not the page's.
 const WIDTH_ON_PAGE: &str = "(min-width: 730px) 684px, calc(100vw - 43px)";
 
 /// How a picture reacts to a reader.
@@ -21,7 +21,7 @@ pub enum Interaction<'a> {
     /// controls.
     Live(&'a Figure),
     /// Becomes interactive when it is touched, and has no controls. For example, the preview of
-    /// step 5 only says what a pixel's ray meets.
+    /// step 5 only says what a pixel's ray hits.
     Preview(&'a Figure),
 }
 
@@ -41,7 +41,7 @@ impl Loading {
         mem::replace(self, Self::InView)
     }
 
-    /// The HTML attribute that makes a browser load a picture at that time.
+    /// The HTML attribute that makes a browser load a picture at this time.
     pub fn attribute(self) -> &'static str {
         match self {
             Self::AtOnce => r#"fetchpriority="high""#,
@@ -50,14 +50,14 @@ impl Loading {
     }
 }
 
-/// Makes the page for printing load every picture at once. A picture that is only loaded when it
-/// comes into view would be missing on paper.
+/// Returns the HTML of the page for printing with every picture loaded at once. On paper, a picture
+/// that is only loaded when it comes into view would be missing.
 pub fn load_all_pictures(html: &str) -> String {
     html.replace(&format!(" {}", Loading::InView.attribute()), "")
 }
 
-/// The HTML of `![alt text](generated/name.png "Caption")`, without the caption. The alt text of a
-/// mistake's picture comes from the list of mistakes.
+/// Returns the HTML of `![alt text](generated/name.png "Caption")`, without the caption. For the
+/// picture of a mistake, the alt text comes from the list of mistakes instead.
 pub fn image_html_from_markdown(
     markdown: &str,
     source: &str,
@@ -86,8 +86,8 @@ fn mistake_effect_of_picture(source: &str) -> Option<String> {
     Some(mistake.effect.replace('`', ""))
 }
 
-/// The HTML of a picture with this alt text, including the picture's width and height. If it is the
-/// first on its page, a phone may load it in a smaller size.
+/// Returns the HTML of a picture with this alt text, including the picture's width and height. If
+/// it is the first on its page, a phone may load it in a smaller size.
 pub fn image_html(
     alt: &str,
     source: &str,
@@ -110,7 +110,7 @@ pub fn image_html(
     let loading = loading.next();
     let smaller = match loading {
         Loading::AtOnce => sources.smaller_sizes(source),
-        // The page doesn't wait for these.
+        // The page doesn't wait for such a picture, so its size matters less.
         Loading::InView => vec![],
     };
     let srcset = if smaller.is_empty() {
@@ -130,8 +130,8 @@ pub fn image_html(
     ))
 }
 
-/// The HTML of a figure with an image and a caption in Markdown. An interactive figure also gets
-/// its controls, or the hint of a preview.
+/// Returns the HTML of a figure with an image and a caption, which is Markdown. A live figure also
+/// gets its controls, and a preview gets a hint.
 pub fn figure_html(
     image: &str,
     caption: &str,

@@ -1,5 +1,5 @@
-//! The box "This pixel" below an interactive picture, which shows every number on the way from the
-//! chosen pixel's ray to its three bytes.
+//! The box "This pixel" below an interactive picture. It shows every number in the computation of
+//! the chosen pixel, from its ray to its three bytes.
 
 use crate::fault::{ChapterError, ChapterResult};
 use crate::numbers;
@@ -7,9 +7,9 @@ use crate::values::Values;
 use figures::{find_figure, row_readout_name, short_name};
 use step03_nearest::OBJECTS;
 
-/// The HTML for `{{#pixel-panel step04_diffuse}}`, which begins that picture's box. The chapter
-/// continues with the text in the box, in which a `{{#number …}}` stands for each number that
-/// depends on the pixel, up to `{{#end}}`.
+/// Returns the HTML for `{{#pixel-panel step04_diffuse}}`, which begins that picture's box. The
+/// chapter continues with the text in the box, in which a `{{#number …}}` stands for each number
+/// that depends on the pixel, up to `{{#end}}`.
 ///
 /// The box is hidden until book/theme/figure.js shows it, since it doesn't work without scripts.
 pub fn opening_html(picture: &str) -> String {
@@ -20,8 +20,9 @@ pub fn opening_html(picture: &str) -> String {
 }
 
 /// Returns the rows of a table for `{{#rows step04_diffuse sphere a b c}}`. The first row has that
-/// picture's numbers a0, b0 and c0, the second a1, b1 and c1, and so on. The column `sphere` has the
-/// names of the spheres, by which book/theme/figure.js finds the row of the one that was hit.
+/// picture's numbers a0, b0 and c0, the second a1, b1 and c1, and so on. The column `sphere` has
+/// the names of the spheres, from which book/theme/figure.js finds the row of the sphere that was
+/// hit.
 pub fn rows_markdown(words: &str, values: &Values) -> ChapterResult<String> {
     let mut words = words.split_whitespace();
     let (Some(picture), columns) = (words.next(), words.collect::<Vec<_>>()) else {

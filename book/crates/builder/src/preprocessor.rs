@@ -28,15 +28,15 @@ impl ChapterPreprocessor {
 }
 
 impl Preprocessor for ChapterPreprocessor {
-    /// Its name in `book.toml`. Because of it, `cargo run` uses this preprocessor instead of
-    /// running the command given there.
+    /// The name of the preprocessor in `book.toml`. In a build by `cargo run`, mdBook calls this
+    /// preprocessor instead of running the command that `book.toml` gives under that name.
     fn name(&self) -> &str {
         "course"
     }
 
     fn run(&self, context: &PreprocessorContext, mut book: Book) -> Result<Book> {
-        // A published book links to the repository. A book that was built at home doesn't name the
-        // folder it was built in, since it may be copied elsewhere.
+        // A published book links to the repository. A book that was built at home doesn't name its
+        // folder, since the book may be copied elsewhere.
         let source_location_markdown =
             match context.config.get::<String>("output.html.git-repository-url")? {
                 Some(url) => format!("at [{url}]({url}): get it with `git clone {url}`"),
@@ -49,7 +49,7 @@ impl Preprocessor for ChapterPreprocessor {
     }
 }
 
-/// Expands all chapters in place, or reports the faults in all of them.
+/// Expands all chapters in place, or returns an error with the faults in all of them.
 fn expand_chapters(
     book: &mut Book,
     sources: &Sources,

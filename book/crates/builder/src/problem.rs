@@ -19,7 +19,7 @@ pub struct ProblemHeading {
 }
 
 impl ProblemHeading {
-    /// Parses the directive's words.
+    /// Parses the words in `{{#problem …}}`.
     pub fn parse(words: &str) -> ChapterResult<Self> {
         let (number, answer) = words.split_once(' ').ok_or(ChapterError::ProblemForm)?;
         let heading = Self { number: number.to_owned(), answer: answer.to_owned() };
@@ -27,13 +27,14 @@ impl ProblemHeading {
         if is_number { Ok(heading) } else { Err(ChapterError::ProblemForm) }
     }
 
-    /// The answer without commas, so that it can be parsed.
+    /// The answer without its thousands separators, so that it can be parsed.
     fn answer_without_commas(&self) -> String {
         self.answer.replace(',', "")
     }
 
-    /// The HTML that begins the problem. In the browser, book/theme/book.js compares the reader's
-    /// number with the answer: exactly if the answer is a whole number, otherwise within 1 %.
+    /// Returns the HTML that begins the problem. In the browser, book/theme/book.js compares the
+    /// reader's number with the answer. A whole number has to be exact, and any other number may
+    /// differ by 1 %.
     pub fn opening_html(&self) -> String {
         let (number, answer) = (&self.number, self.answer_without_commas());
         let tolerance = if answer.contains('.') { 0.01 } else { 0.0 };
@@ -49,13 +50,13 @@ impl ProblemHeading {
 #[derive(Clone, Debug)]
 pub struct Problem {
     pub heading: ProblemHeading,
-    /// Its text, expanded.
+    /// The expanded text of the problem.
     pub text: String,
-    /// The first bold words in its answer, expanded, including the asterisks.
+    /// The first bold words in the expanded answer, including the asterisks.
     pub result: String,
 }
 
-/// A position in the text of a chapter, and the matching one in the expanded text.
+/// A position in the text of a chapter, and the corresponding one in the expanded text.
 #[derive(Clone, Copy, Debug)]
 pub struct PositionPair {
     pub in_text: usize,
@@ -101,8 +102,8 @@ impl OpenAnswer {
         self.bold_end.get_or_insert(position);
     }
 
-    /// Completes the problem when its `{{#end}}` is reached. Returns None if its first line is an
-    /// error, which has already been reported.
+    /// Completes the problem when its `{{#end}}` is reached. Returns None if the problem's first
+    /// line is an error, which has already been reported.
     pub fn finish(self, text: &str, expanded: &str) -> Option<ChapterResult<Problem>> {
         let (start, end) = (self.problem.text_start, self.start);
         let heading = self.problem.heading?;
@@ -121,9 +122,9 @@ impl OpenAnswer {
     }
 }
 
-/// The Markdown for `{{#problem-sheet}}`: the problems from all chapters, then their answers. Only
-/// the first bold words of each answer are repeated, without the solution. Each chapter is given as
-/// its title and its problems.
+/// Returns the Markdown for `{{#problem-sheet}}`: the problems from all chapters, then their
+/// answers. Of each answer, only the first bold words are repeated, without the solution.
+/// `chapters` has the title and the problems of each chapter.
 pub fn sheet_markdown(
     chapters: &[(String, Vec<Problem>)],
     values: &Values,

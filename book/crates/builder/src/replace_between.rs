@@ -1,8 +1,8 @@
-//! Replaces the pieces of a text that stand between two marks.
+//! Replaces the pieces of a text that are enclosed by two marks.
 
 use thiserror::Error;
 
-/// The error for a piece that begins but doesn't end.
+/// The error for a piece that has a `begin` but no `end`.
 #[derive(Debug, Error, PartialEq)]
 #[error("{begin} isn't closed by {end}")]
 pub struct MissingEnd {

@@ -8,14 +8,14 @@ use serde_json::json;
 use std::collections::{BTreeMap, BTreeSet};
 use std::iter;
 
-/// What readers type into the search, in the format that the first lines of the file explain.
+/// What readers type into the search. The first lines of the file explain its format.
 pub const READER_WORDS: &str = include_str!("../search_words.txt");
 
-/// The script that gives the search the text of the book. For each page, it has the name, the title
-/// and the sections. A section has an id, a title, its prose, its listings, and the phrases by
-/// which readers look for it. After the pages come the hints (the section to read, the compiler's
-/// messages, and a sentence) and the groups of synonyms. All of these are arrays, as
-/// book/theme/search.js reads them.
+/// Returns the script that gives the search the text of the book, in nested arrays for
+/// book/theme/search.js. A page consists of its name, its title and its sections. A section
+/// consists of its id, its title, its prose, its listings, and the phrases by which readers look
+/// for it. After the pages come the hints (the section to read, the compiler's messages, and a
+/// sentence) and the groups of synonyms.
 ///
 /// A section that `reader_words` names but the book doesn't have is a fault.
 pub fn index_script(site: &Site, reader_words: &str) -> Result<String> {
@@ -97,8 +97,8 @@ fn split_at_commas(phrases: &str) -> impl Iterator<Item = &str> {
     phrases.split(',').map(str::trim)
 }
 
-/// The alt texts of pictures that link to a section. Only a gallery of mistakes has such pictures,
-/// so readers can search for what went wrong with theirs.
+/// The alt texts of the pictures that link to a section. Such pictures occur only in the galleries
+/// of mistakes. Their alt texts let readers search for what went wrong in their own pictures.
 fn alt_texts_of_links_to<'a>(page: &'a Page, id: &str) -> Vec<&'a str> {
     let leads_here = |link: &&Element| {
         link.tag == "a" && link.attr("href").and_then(|href| href.strip_prefix('#')) == Some(id)
@@ -107,7 +107,7 @@ fn alt_texts_of_links_to<'a>(page: &'a Page, id: &str) -> Vec<&'a str> {
     links.flat_map(|link| page.descendants(link)).filter_map(|image| image.attr("alt")).collect()
 }
 
-/// A section of a page. Its texts are words with single blanks between them.
+/// A section of a page. In its texts, any whitespace between words is a single space.
 #[derive(Debug, Default, PartialEq)]
 struct Section {
     id: String,
@@ -123,8 +123,8 @@ fn page_sections(page: &Page) -> Vec<Section> {
     let main = page.elements.iter().find(|element| element.tag == "main");
     let mut end = 0;
     for part in main.into_iter().flat_map(|main| page.descendants(main)) {
-        // Skip elements inside a part that has been read already, and wrappers, whose parts are
-        // read one by one.
+        // Skip elements inside a part that has already been read. Skip wrappers as well, because
+        // the elements inside them are read one by one.
         let is_wrapper = matches!(part.attr("class"), Some("cover" | "with-margin"));
         if part.text.start < end || is_wrapper {
             continue;
@@ -136,7 +136,7 @@ fn page_sections(page: &Page) -> Vec<Section> {
         } else if let Some(section) = sections.last_mut() {
             section.prose +=
                 &(page.text_without(part, |part| is_skipped(part) || is_listing(part)) + " ");
-            // A listing may be in a folded box. What is hidden there isn't searched, either.
+            // Listings inside a folded box are searched as well, unless the search skips the box.
             let inside = if is_skipped(part) { &[] } else { page.descendants(part) };
             for listing in iter::once(part).chain(inside).filter(|part| is_listing(part)) {
                 section.listings += &(page.text_without(listing, is_skipped) + " ");
@@ -150,7 +150,7 @@ fn page_sections(page: &Page) -> Vec<Section> {
     sections
 }
 
-/// Replaces all whitespace between words with single blanks.
+/// Replaces all whitespace between words with single spaces.
 fn join_words(text: &str) -> String {
     text.split_whitespace().collect::<Vec<_>>().join(" ")
 }
@@ -159,8 +159,8 @@ fn is_listing(element: &Element) -> bool {
     element.attr("data-path").is_some()
 }
 
-/// Whether the search skips an element: it is hidden or a drawing, or it is an answer or a hint,
-/// which the search would give away.
+/// Whether the search skips an element, because it is hidden, a drawing, or a box with an answer or
+/// hints, which a search result would give away.
 fn is_skipped(element: &Element) -> bool {
     let is_answer = matches!(element.attr("class"), Some("answer" | "hints"));
     is_answer || element.attr("hidden").is_some() || element.tag == "svg"

@@ -11,15 +11,15 @@ use std::fs;
 use std::io::Cursor;
 use std::path::{Path, PathBuf};
 
-/// The folder for the files that a build generates. In the source, it is in the folder of the
-/// chapters, and in the built book, in the folder of the pages.
+/// The folder for the files that a build generates. It is beside the chapters in the source, and
+/// beside the pages in the built book.
 pub const GENERATED: &str = "generated/";
 
-/// The columns with which step 5 draws the cover for small screens. On a phone, the cover is about
-/// 350 CSS pixels wide, each of which is 2 or 3 device pixels wide.
+/// The widths, in pixels, of the versions of the cover for small screens. On a phone, the cover is
+/// about 350 CSS pixels wide, each of which is 2 or 3 device pixels wide.
 const COVER_COLUMNS: [u32; 2] = [720, 960];
 
-/// The sub-pixels of each pixel of the cover, in each direction.
+/// The number of sub-pixels, in each direction, for a pixel of the cover.
 const COVER_SAMPLES: u32 = 4;
 
 /// Everything that the chapters show.
@@ -79,7 +79,7 @@ impl Sources {
         ImageReader::new(Cursor::new(file)).with_guessed_format().ok()?.into_dimensions().ok()
     }
 
-    /// The columns and the addresses of a picture's smaller sizes. Only the cover has any.
+    /// The smaller sizes of a picture, each with its width and address. Only the cover has any.
     pub fn smaller_sizes(&self, source: &str) -> Vec<(u32, String)> {
         let name = source.strip_suffix(".png").unwrap_or(source);
         let all = COVER_COLUMNS.map(|columns| (columns, smaller_picture_name(name, columns)));

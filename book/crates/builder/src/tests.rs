@@ -40,7 +40,7 @@ fn each_directive_is_listed_in_lib_and_expanded_in_one_of_each() {
         }
         let is_expanded =
             ["}}", " "].iter().any(|end| example.contains(&format!("{{{{#{name}{end}")));
-        // The text of this one depends on the caller of `expand_chapter`.
+        // The caller of `expand_chapter` decides what `our-folder` becomes.
         if kind != DirectiveKind::OurFolder && !is_expanded {
             faults.push(format!("tests/one_of_each.md has no {{{{#{name}}}}}."));
         }
@@ -56,8 +56,7 @@ fn each_fault_is_reported_with_its_line() {
     insta::assert_snapshot!(faults.replace(&not_found, "[not found]"));
 }
 
-/// Slides may be made with a program that, unlike a browser, supports no variables and no
-/// `light-dark`.
+/// Programs for making slides, unlike browsers, may not support CSS variables and `light-dark`.
 #[test]
 fn svg_files_of_figures_have_no_css_variables_or_functions() {
     let files: Vec<_> = SOURCES.generated.texts_with_suffix(".svg").collect();

@@ -4,8 +4,8 @@
 //! - `FIGURE:I,J:NAME` is a number for a pixel of a picture with a probe, such as
 //!   `step04_diffuse:470,120:t`.
 //! - `R_d:OBJECT` is the R_d of an object in the scene, such as `R_d:salmon sphere`.
-//! - `NAME` is a count of rays or pixels in a whole picture, or the largest change among its
-//!   pixels.
+//! - `NAME` is a number for a whole picture: a count of rays or pixels, or the largest change in a
+//!   pixel.
 //!
 //! All numbers of a figure are computed together and cached, since chapters use several of them.
 
@@ -49,9 +49,10 @@ impl Values {
         let text = text.ok_or_else(|| ChapterError::UnknownValue(name.to_owned()))?;
         Ok(match notation {
             Notation::Prose => text,
-            // Figures write each readout once, as the pages show it. A page has no code with
-            // readouts in it, so a notation for code would only be passed through every function of
-            // `figures` that writes a number. The sign − occurs in a readout only before digits.
+            // The figures write readouts only in the notation for prose, since pages never show
+            // them in code. Otherwise every function in `figures` that writes a number would need
+            // the notation as a parameter. Replacing the sign is safe, because a readout has − only
+            // before digits.
             Notation::Code => text.replace('−', "-"),
         })
     }
@@ -74,8 +75,8 @@ impl Values {
     }
 }
 
-/// Computes all readouts of a figure, for this pixel if one is given. Returns None if there is no
-/// such pixel.
+/// Computes all readouts of a figure, with `pixel` chosen if it isn't None. Returns None if there
+/// is no such pixel.
 fn compute_readouts(figure: &Figure, pixel: Option<&str>) -> Option<Readouts> {
     let values = match pixel {
         Some(pixel) => {
@@ -87,7 +88,8 @@ fn compute_readouts(figure: &Figure, pixel: Option<&str>) -> Option<Readouts> {
     Some((figure.readouts)(&values))
 }
 
-/// Computes the count with this name, or the largest change. Returns None for an unknown name.
+/// Computes the count of rays or pixels with this name, or the largest change in a pixel. Returns
+/// None for an unknown name.
 fn whole_picture_number(name: &str) -> Option<usize> {
     Some(match name {
         "step02-touches" => count_primary_rays(|ray| discriminant(&SPHERE, ray) == 0.0),
@@ -101,7 +103,7 @@ fn whole_picture_number(name: &str) -> Option<usize> {
             let nearest = nearest(&OBJECTS, ray).map(|hit| hit.object);
             hit_indices(ray).last().map(|k| &OBJECTS[k]) != nearest
         }),
-        // Object 4 is the sphere behind the eye. Its roots are negative.
+        // Object 4 is the sphere behind the eye, so rays hit it only at negative t.
         "step03-behind" => count_primary_rays(|ray| discriminant(&OBJECTS[4].sphere, ray) >= 0.0),
         "step05-gate-pixels" => pixel_changes_without_gate().len(),
         "step05-gate-most" => pixel_changes_without_gate().into_iter().max().unwrap_or(0),
@@ -109,7 +111,7 @@ fn whole_picture_number(name: &str) -> Option<usize> {
     })
 }
 
-/// The R_d of the object with this name in the scene.
+/// The text of the R_d of the object with this name in the scene.
 fn diffuse_reflectance_text(object: &str) -> Option<String> {
     let object = scene().objects.into_iter().find(|candidate| candidate.name == object)?;
     let [r, g, b] = object.material.matte.diffuse.to_array();
@@ -126,8 +128,8 @@ fn hit_indices(ray: &Ray) -> impl Iterator<Item = usize> {
     (0..OBJECTS.len()).filter(has_hit)
 }
 
-/// Draws the picture without the test of n·l, and returns by how much each changed pixel changes.
-/// Unchanged pixels are left out.
+/// Draws the picture without the test of n·l. Returns the change in each pixel that differs from
+/// the right picture, and leaves out the others.
 fn pixel_changes_without_gate() -> Vec<usize> {
     let scene = scene();
     let ungated = render(&camera(), 1, |ray| colour_without_gate(&scene, ray));
