@@ -47,18 +47,18 @@ fn open_lock(path: &Path) -> Result<File> {
 /// The paths beside a folder to which its old version may be moved. One path isn't enough: the
 /// version that was moved there earlier can't always be removed, for instance while a program has
 /// it open.
-fn paths_aside(folder: &Path) -> impl Iterator<Item = PathBuf> {
+fn old_version_paths(folder: &Path) -> impl Iterator<Item = PathBuf> {
     (1..=9).map(|number| folder.with_extension(format!("old{number}")))
 }
 
 /// Restores a folder that a killed build moved aside, and removes all other old versions of it.
 fn restore_folder(folder: &Path) -> Result<()> {
-    for aside in paths_aside(folder).filter(|aside| aside.exists()) {
+    for old_version in old_version_paths(folder).filter(|path| path.exists()) {
         if folder.exists() {
-            let _ = fs::remove_dir_all(aside);
+            let _ = fs::remove_dir_all(old_version);
         } else {
-            fs::rename(&aside, folder)
-                .with_context(|| format!("{} can't be put back", aside.display()))?;
+            fs::rename(&old_version, folder)
+                .with_context(|| format!("{} can't be put back", old_version.display()))?;
         }
     }
     Ok(())
@@ -69,15 +69,15 @@ fn replace_folder(draft: &Path, folder: &Path) -> io::Result<()> {
     if !folder.exists() {
         return fs::rename(draft, folder);
     }
-    let free = paths_aside(folder).find(|aside| !aside.exists());
-    let aside = free.ok_or_else(|| io::Error::other("too many old copies are beside it"))?;
-    fs::rename(folder, &aside)?;
+    let free = old_version_paths(folder).find(|path| !path.exists());
+    let old_version = free.ok_or_else(|| io::Error::other("too many old copies are beside it"))?;
+    fs::rename(folder, &old_version)?;
     if let Err(error) = fs::rename(draft, folder) {
-        let _ = fs::rename(&aside, folder);
+        let _ = fs::rename(&old_version, folder);
         return Err(error);
     }
     // If this fails, the next build tries again.
-    let _ = fs::remove_dir_all(aside);
+    let _ = fs::remove_dir_all(old_version);
     Ok(())
 }
 
@@ -92,7 +92,7 @@ fn write_and_check_pages(workspace: &Path, folder: &Path) -> Result<Site> {
     let folder = book.build_dir_for("html");
     sources.generated.sync_to(&folder.join(GENERATED))?;
     let mut files = Files::read(&folder)?;
-    for (name, html) in finish_pages(&files)? {
+    for (name, html) in postprocess_pages(&files)? {
         write_page_file(&folder, &mut files, name, html)?;
     }
     let mut site = Site::new(files);
@@ -103,8 +103,8 @@ fn write_and_check_pages(workspace: &Path, folder: &Path) -> Result<Site> {
     Ok(site)
 }
 
-/// Finishes the pages that mdBook has written. Returns the name and final HTML of each.
-fn finish_pages(files: &Files) -> Result<Vec<(String, String)>> {
+/// Completes the pages that mdBook has written. Returns the name and final HTML of each.
+fn postprocess_pages(files: &Files) -> Result<Vec<(String, String)>> {
     let pages = files.texts_with_suffix(".html").map(|(name, html)| {
         let html = unwrap_part_titles(html).with_context(|| name.to_owned())?;
         let mut html = inline_stylesheets(&html, files).with_context(|| name.to_owned())?;

@@ -170,7 +170,7 @@ mod tests {
     }
 
     #[test]
-    fn control_is_of_the_kind_of_its_parameter() {
+    fn control_matches_the_kind_of_its_parameter() {
         for (figure, id, class, tag) in [
             ("row", "rays", "range", "<input type=\"range\" min=\"2\" max=\"25\" step=\"1\""),
             ("row", "field-of-view", "field", "<input type=\"number\""),

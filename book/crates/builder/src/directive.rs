@@ -130,7 +130,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn directive_is_a_kind_and_words() {
+    fn directive_is_parsed_into_kind_and_words() {
         let parse = Directive::parse;
         assert_eq!(
             parse("{{#figure ray}}\n"),

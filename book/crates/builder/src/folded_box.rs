@@ -49,7 +49,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn heading_begins_with_the_kind() {
+    fn box_heading_begins_with_the_label_of_its_kind() {
         let html = opening_html(BoxKind::Predict, "Why *is* it?", &Values::default());
         let html = html.expect("a heading");
         assert!(html.starts_with("<details class=\"predict\"><summary>"), "{html}");

@@ -23,15 +23,15 @@
 //!   its *controls* set its parameters. Followed by `preview`, it has no controls, and becomes
 //!   interactive once the reader touches it.
 //! - `pixel-panel` … `end` is the box *This pixel* below an interactive picture with a *probe*. Its
-//!   text follows the chosen pixel from its ray to its three bytes, with a `number` for each step
-//!   on the way. In a table inside that box, `rows`, followed by a picture's name and the columns to
-//!   show, becomes a row for each sphere or mirror.
+//!   text follows the chosen pixel from its ray to its three bytes, with a `number` for each
+//!   intermediate result. In a table inside that box, `rows` becomes a row for each sphere or
+//!   mirror. Its words are a picture's name and the columns to show.
 //! - A *box* (`predict`, `hints`, `aside`, `answer` … `end`) is folded until the reader opens it.
 //! - A `problem` is solved on paper. Its answer is a number, and the box `answer` shows how to get
 //!   there. `problem-sheet` repeats the problems from all chapters.
 //! - `mistakes` is a gallery of the mistakes in a step, each with its picture.
 //! - `check` is a form that says whether a reader's picture is right.
-//! - A `note` is an aside of one paragraph, such as some history, an opinion, or a letter with two
+//! - A `note` is a remark of one paragraph, such as some history, an opinion, or a letter with two
 //!   meanings. Bold words at its beginning are its label. `rust` explains some Rust that a beginner
 //!   won't know yet, and `by-hand` names the test that verifies the numbers worked out by hand
 //!   above it. A note comes after the block that it belongs to, and stands beside it in the margin

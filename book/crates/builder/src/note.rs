@@ -20,7 +20,7 @@ pub fn wrapper_closing_html() -> String {
 /// The kinds of notes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum NoteKind {
-    /// An aside by the author.
+    /// A remark by the author.
     Note,
     /// An explanation of some Rust.
     Rust,

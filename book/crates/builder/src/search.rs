@@ -131,7 +131,7 @@ fn page_sections(page: &Page) -> Vec<Section> {
         }
         end = part.text.end;
         if let ("h1" | "h2" | "h3", Some(id)) = (&*part.tag, part.attr("id")) {
-            let (id, title) = (id.to_owned(), join_words(page.text(part)));
+            let (id, title) = (id.to_owned(), collapse_whitespace(page.text(part)));
             sections.push(Section { id, title, ..Section::default() });
         } else if let Some(section) = sections.last_mut() {
             section.prose +=
@@ -144,14 +144,14 @@ fn page_sections(page: &Page) -> Vec<Section> {
         }
     }
     for section in &mut sections {
-        section.prose = join_words(&section.prose);
-        section.listings = join_words(&section.listings);
+        section.prose = collapse_whitespace(&section.prose);
+        section.listings = collapse_whitespace(&section.listings);
     }
     sections
 }
 
 /// Replaces all whitespace between words with single spaces.
-fn join_words(text: &str) -> String {
+fn collapse_whitespace(text: &str) -> String {
     text.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 

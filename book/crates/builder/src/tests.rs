@@ -21,7 +21,7 @@ fn list_faults(chapter: &str) -> String {
 }
 
 #[test]
-fn a_chapter_is_expanded() {
+fn chapter_with_every_directive_is_expanded() {
     let text = include_str!("tests/one_of_each.md");
     assert_eq!(list_faults(text), "");
     insta::assert_snapshot!(expand(text).markdown_with_sheet("The sheet.\n"));
@@ -148,7 +148,7 @@ fn search_index_has_the_phrases_hints_and_synonyms_of_readers() {
 }
 
 #[test]
-fn search_words_for_a_section_that_is_gone_are_a_fault() {
+fn search_words_for_a_missing_section_are_a_fault() {
     let words =
         "@ a.html#a\nreal words\n\n@ a.html#gone\nwords\n\n@ b.html#b\n! E0001 → A sentence.\n";
     let error = search::index_script(&small_site(), words).expect_err("two faults");
