@@ -24,9 +24,8 @@ pub fn list(items: impl IntoIterator<Item = impl ToString>) -> String {
 
 /// Writes a JSON object. The values of the fields are already JSON.
 pub fn object<'a>(fields: impl IntoIterator<Item = (&'a str, String)>) -> String {
-    let fields = fields.into_iter();
-    let fields = fields.map(|(name, value)| format!("{}:{value}", quote(name)));
-    format!("{{{}}}", fields.collect::<Vec<_>>().join(","))
+    let members = fields.into_iter().map(|(name, value)| format!("{}:{value}", quote(name)));
+    format!("{{{}}}", members.collect::<Vec<_>>().join(","))
 }
 
 #[cfg(test)]

@@ -57,7 +57,7 @@ pub fn draw_mistakes(mistakes: &[&Mistake]) -> XtaskResult<Vec<DrawnPictures>> {
 /// Returns the text of a mistake's file with the mistake in it, without indentation.
 pub fn unindented_text_with_mistake(mistake: &Mistake) -> XtaskResult<String> {
     let text = read_text(&workspace().join(&mistake.file))?;
-    mistake.apply_and_unindent(&text).map_err(|count| {
+    mistake.apply_and_strip_indentation(&text).map_err(|count| {
         let (title, file) = (mistake.title, mistake.file.clone());
         XtaskError::MistakeNotOnce { title, file, count }
     })

@@ -134,12 +134,12 @@ fn parse_list(step: Step, list: &'static str) -> Result<Vec<Mistake>, MistakeLis
             None if block.iter().all(|(_, line)| line.starts_with('#')) => {}
             None => {
                 let file = file.clone().ok_or(fail(MistakeListFault::NoFile))?;
-                let mut code_and_words = MarkedLines::default();
+                let mut parsed_lines = MarkedLines::default();
                 for (line, text) in marked_lines {
                     let fail = |fault| MistakeListError { step, line: *line, fault };
-                    code_and_words.add_line(step, text).map_err(fail)?;
+                    parsed_lines.add_line(step, text).map_err(fail)?;
                 }
-                mistakes.push(code_and_words.into_mistake(first, step, file).map_err(fail)?);
+                mistakes.push(parsed_lines.into_mistake(first, step, file).map_err(fail)?);
             }
         }
     }
@@ -240,8 +240,8 @@ impl Mistake {
     /// Returns the text of the mistake's file with the mistake in it, and without indentation. If
     /// the right code doesn't occur exactly once in `file_text`, returns the number of times it
     /// does.
-    pub fn apply_and_unindent(&self, file_text: &str) -> Result<String, usize> {
-        let (file_text, old) = (unindent(file_text), unindent(&self.old));
+    pub fn apply_and_strip_indentation(&self, file_text: &str) -> Result<String, usize> {
+        let (file_text, old) = (strip_indentation(file_text), strip_indentation(&self.old));
         match file_text.matches(&old).count() {
             1 => Ok(file_text.replace(&old, &self.new)),
             count => Err(count),
@@ -250,7 +250,7 @@ impl Mistake {
 }
 
 /// Removes the whitespace at the start of each line.
-fn unindent(text: &str) -> String {
+fn strip_indentation(text: &str) -> String {
     let lines: Vec<_> = text.split('\n').map(str::trim_start).collect();
     lines.join("\n")
 }
@@ -341,8 +341,11 @@ one that the book shows
         let [mistake, _] = &parse(Step::Rays)[..] else { panic!("two mistakes") };
         assert_eq!(mistake.old_and_new_lines(), "- let a = 1;\n-     let b = 2;\n+ let a = 2;");
         let once = "fn f() {\n    let a = 1;\n    let b = 2;\n}";
-        assert_eq!(mistake.apply_and_unindent(once).as_deref(), Ok("fn f() {\nlet a = 2;\n}"));
-        assert_eq!(mistake.apply_and_unindent(&format!("{once}\n{once}")), Err(2));
-        assert_eq!(mistake.apply_and_unindent("let a = 1;"), Err(0));
+        assert_eq!(
+            mistake.apply_and_strip_indentation(once).as_deref(),
+            Ok("fn f() {\nlet a = 2;\n}")
+        );
+        assert_eq!(mistake.apply_and_strip_indentation(&format!("{once}\n{once}")), Err(2));
+        assert_eq!(mistake.apply_and_strip_indentation("let a = 1;"), Err(0));
     }
 }

@@ -162,9 +162,9 @@ pub fn hashes_of_right_pictures() -> impl Iterator<Item = (&'static str, u64)> {
 pub fn find_mistakes_with_hash(hash: u64) -> Vec<(&'static Mistake, &'static str)> {
     let mut mistakes_and_names: Vec<_> = mistakes_with_rows()
         .flat_map(|(mistake, row)| {
-            let steps = mistake.affected_steps().zip(&row.hashes);
-            let steps = steps.filter(move |(_, drawn)| **drawn == Some(hash));
-            steps.map(move |(step, _)| (mistake, step.name()))
+            let steps_and_hashes = mistake.affected_steps().zip(&row.hashes);
+            let matching = steps_and_hashes.filter(move |(_, drawn)| **drawn == Some(hash));
+            matching.map(move |(step, _)| (mistake, step.name()))
         })
         .collect();
     mistakes_and_names.sort_by_cached_key(|(mistake, _)| {
@@ -283,7 +283,7 @@ mod tests {
     }
 
     #[test]
-    fn locked_names_begin_with_the_steps() {
+    fn names_of_right_pictures_begin_with_those_of_the_steps() {
         assert_eq!(names_of_right_pictures()[..Step::NAMES.len()], Step::NAMES);
     }
 }

@@ -30,11 +30,11 @@ pub fn draw_with_difference(first: &RgbImage, second: &RgbImage) -> RgbImage {
 fn difference_colour(a: &Rgb<u8>, b: &Rgb<u8>) -> Rgb<u8> {
     let sum = |colour: &Rgb<u8>| colour.0.iter().map(|c| u32::from(*c)).sum::<u32>();
     let strength = 120 + u32::from(largest_channel_difference(a, b)) * 135 / 255;
-    let part = |c: u8| (u32::from(c) * strength / 255) as u8;
+    let scale = |c: u8| (u32::from(c) * strength / 255) as u8;
     match (a == b, sum(a) < sum(b)) {
         (true, _) => Rgb([(sum(b) / 18) as u8; 3]),
-        (false, true) => Rgb(DARKER.0.map(part)),
-        (false, false) => Rgb(BRIGHTER.0.map(part)),
+        (false, true) => Rgb(DARKER.0.map(scale)),
+        (false, false) => Rgb(BRIGHTER.0.map(scale)),
     }
 }
 

@@ -63,7 +63,7 @@ mod tests {
     use super::*;
     use step05_phong::Sphere;
 
-    fn scene_numbers(name: &str) -> Vec<f64> {
+    fn numbers_in_generated_scene(name: &str) -> Vec<f64> {
         let Scene { objects, lights, .. } = generate_scene(name);
         let spheres = objects.iter().flat_map(|object| {
             let centre = object.sphere.centre.to_array();
@@ -76,9 +76,11 @@ mod tests {
 
     #[test]
     fn scene_depends_on_the_name_but_not_on_its_blanks() {
-        assert_eq!(scene_numbers("Ada Lovelace"), scene_numbers("  Ada   Lovelace "));
-        assert_ne!(scene_numbers("Ada Lovelace"), scene_numbers("Ada Lovelacf"));
-        assert_ne!(scene_numbers("Ada Lovelace"), scene_numbers("AdaLovelace"));
+        let numbers = numbers_in_generated_scene("Ada Lovelace");
+        assert_eq!(numbers, numbers_in_generated_scene("  Ada   Lovelace "));
+        for other_name in ["Ada Lovelacf", "AdaLovelace"] {
+            assert_ne!(numbers, numbers_in_generated_scene(other_name), "{other_name}");
+        }
     }
 
     #[test]

@@ -428,8 +428,8 @@ mod tests {
     #[test]
     fn ground_has_ranges_of_its_own() {
         assert_eq!(scene().objects[GROUND].name, "ground");
-        let radius = all_scalars().find(|scalar| matches!(scalar.property, Property::Radius));
-        let radius = radius.expect("a radius");
+        let is_radius = |scalar: &&Scalar| matches!(scalar.property, Property::Radius);
+        let radius = all_scalars().find(is_radius).expect("a radius");
         assert_eq!([radius.range(0), radius.range(GROUND)], [[0.05, 3.0], [10.0, 60.0]]);
         // A light with the same index as the ground has the range of any light.
         for scalar in all_scalars().filter(|scalar| scalar.ground_range.is_none()) {

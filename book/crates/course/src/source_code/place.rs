@@ -305,10 +305,10 @@ misses: bool = d < 0.0
                 (true, false) => Some(PlaceNote::EndsRow),
                 (false, _) => None,
             };
-            let notes = place.notes.iter().copied();
-            let notes =
-                notes.filter(|note| matches!(note, PlaceNote::EndsRow | PlaceNote::EndsBlock));
-            assert_eq!(notes.collect::<Vec<_>>(), Vec::from_iter(note), "{}", place.name);
+            let is_about_end =
+                |note: &PlaceNote| matches!(note, PlaceNote::EndsRow | PlaceNote::EndsBlock);
+            let notes_about_end = place.notes.iter().copied().filter(is_about_end);
+            assert_eq!(Vec::from_iter(notes_about_end), Vec::from_iter(note), "{}", place.name);
             let imports = text.lines().filter(|line| line.starts_with("use glam::"));
             let has_vectors = imports.collect::<String>().contains("DVec3");
             assert_eq!(place.has_vectors, has_vectors, "`uses DVec3` of {}", place.file);

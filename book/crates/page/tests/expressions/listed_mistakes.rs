@@ -52,7 +52,8 @@ fn known_codes_with_hashes(place: &Place) -> Vec<(String, u64)> {
     let right = hashes_of_right_pictures().find(|(name, _)| *name == place.step().name());
     let (_, right) = right.expect("a locked picture");
     let edit = |(mistake, row): (&Mistake, &TableRow)| {
-        let edited = mistake.apply_and_unindent(&bare).ok().filter(|_| mistake.file == path)?;
+        let edited =
+            mistake.apply_and_strip_indentation(&bare).ok().filter(|_| mistake.file == path)?;
         let new = edited.strip_prefix(code_before)?.strip_suffix(code_after)?;
         Some((new.to_owned(), row.hashes.first()?.unwrap_or(right)))
     };
