@@ -16,13 +16,13 @@ pub fn quote(text: &str) -> String {
     quoted + "\""
 }
 
-/// Writes a JSON array. The items are numbers, or already JSON.
+/// Writes a JSON array. Each item has to be a number, or JSON already.
 pub fn list(items: impl IntoIterator<Item = impl ToString>) -> String {
     let items: Vec<_> = items.into_iter().map(|item| item.to_string()).collect();
     format!("[{}]", items.join(","))
 }
 
-/// Writes a JSON object. The values of the fields are already JSON.
+/// Writes a JSON object. The value of each field has to be JSON already.
 pub fn object<'a>(fields: impl IntoIterator<Item = (&'a str, String)>) -> String {
     let members = fields.into_iter().map(|(name, value)| format!("{}:{value}", quote(name)));
     format!("{{{}}}", members.collect::<Vec<_>>().join(","))

@@ -1,16 +1,16 @@
 //! Code and data shared by the book's crates, in six folders and four files:
 //!
-//! - `steps`: the five steps as an enum, the *camera* that takes their pictures, the
-//!   discriminant, and the *examples* as a library, with a list of every picture that a step or an example draws.
+//! - `steps`: the five steps as an enum, the *camera* that takes their pictures, the discriminant,
+//!   and the *examples* as a library, with a list of every picture that a step or an example draws.
 //! - `source_code`: the steps' source code as text. The *places* in the listings are the
 //!   expressions that a reader may edit on a page.
 //! - `mistakes`: the *mistakes* that readers make, each as a diff; a *table* with the hashes of the
 //!   wrong pictures that they produce; and the small versions of these pictures that the book
 //!   shows.
-//! - `scenes`: one that is generated from a person's *name*, one that a reader puts together on a
-//!   page, the table of the numbers in a scene, and the names of the lights.
-//! - `pictures`: the *locked* pictures, a picture's hash, the *difference* between two pictures, in a
-//!   sentence or side by side, and a PNG encoder.
+//! - `scenes`: the scene that is generated from a person's *name*, the scene that a reader puts
+//!   together on a page, the table of the numbers in a scene, and the names of the lights.
+//! - `pictures`: the *locked* pictures, a picture's hash, the *difference* between two pictures
+//!   (described in a sentence, or drawn side by side), and a PNG encoder.
 //! - `workspace`: the project's folders, the names of the pages' WebAssembly modules, a command that
 //!   runs Cargo, the *environment* variables that control the tests, and a function that *replaces*
 //!   a file atomically.

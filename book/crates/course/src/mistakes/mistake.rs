@@ -66,8 +66,8 @@ pub struct MistakePicture {
 ///
 /// # Panics
 ///
-/// Panics if a line in the lists can't be parsed. They are a part of the program, and its tests
-/// fail then.
+/// Panics if a line in the lists can't be parsed. The lists are compiled into the program, so this
+/// would be a bug that its tests catch.
 pub fn mistakes() -> &'static [Mistake] {
     match parse_mistake_lists() {
         Ok(mistakes) => mistakes,
@@ -105,13 +105,13 @@ enum MistakeListFault {
     NoFile,
     #[error("a mistake needs a title, and below it lines with `-` and with `+`")]
     NoCode,
-    #[error("a line below a title begins with `-`, `+`, `!`, `?`, `/` or `\"`, and a blank")]
+    #[error("a line below a title begins with `-`, `+`, `!`, `?`, `/` or `\"`, and a space")]
     UnknownMark,
     #[error("there is no step `{0}`: write `! NAME` or `! NAME STEP`")]
     UnknownStep(&'static str),
     #[error("the mistake already has a line with `{0}`")]
     Twice(char),
-    #[error("a mistake with a picture needs lines with `?`, `/` and `\"`, and any other has none")]
+    #[error("a mistake has lines with `!`, `?`, `/` and `\"`, or none of these")]
     NotShown,
 }
 
@@ -237,9 +237,9 @@ impl Mistake {
         old.chain(new).collect::<Vec<_>>().join("\n")
     }
 
-    /// Returns the text of the mistake's file with the mistake in it, and without indentation. If
-    /// the right code doesn't occur exactly once in `file_text`, returns the number of times it
-    /// does.
+    /// Applies the mistake to the text of its file, and strips the indentation from the result. If
+    /// the right code doesn't occur exactly once in `file_text`, the error is the number of
+    /// occurrences.
     pub fn apply_and_strip_indentation(&self, file_text: &str) -> Result<String, usize> {
         let (file_text, old) = (strip_indentation(file_text), strip_indentation(&self.old));
         match file_text.matches(&old).count() {
@@ -290,7 +290,7 @@ one that the book shows
         assert_eq!(
             error("# A comment.\n\n@ ray.rs\n\na title\n- a\n+ b\n* c").to_string(),
             "mistakes/step01_rays.txt, line 8: a line below a title begins with `-`, `+`, `!`, \
-             `?`, `/` or `\"`, and a blank"
+             `?`, `/` or `\"`, and a space"
         );
         let shown = "a title\n- a\n+ b\n! c";
         for (block, line, fault) in [

@@ -90,7 +90,7 @@ impl<'a> MistakeTable<'a> {
     }
 }
 
-/// Parses a hash, which always has 16 digits. With fewer, the file is damaged.
+/// Parses a hash. It always has 16 digits: if there are fewer, the file is damaged.
 fn parse_hash(digits: &str) -> Option<u64> {
     u64::from_str_radix(digits, 16).ok().filter(|_| digits.len() == 16)
 }
@@ -116,8 +116,8 @@ impl Display for MistakeTable<'_> {
     }
 }
 
-/// The table that is checked in, parsed once. It is empty in a module to which no page has provided
-/// it yet.
+/// The table that is checked in, parsed once. In a page's module, it is empty until the page has
+/// provided its text.
 ///
 /// # Panics
 ///
@@ -157,8 +157,8 @@ pub fn hashes_of_right_pictures() -> impl Iterator<Item = (&'static str, u64)> {
 /// picture that should have been drawn. A mistake that produces the same picture in several steps
 /// is returned once for each of them.
 ///
-/// The likeliest come first: the mistakes shown in the book, then all others and, within each group
-/// group, those that change the least code.
+/// The likeliest come first: the mistakes shown in the book, then all others. Within each group,
+/// those that change the least code come first.
 pub fn find_mistakes_with_hash(hash: u64) -> Vec<(&'static Mistake, &'static str)> {
     let mut mistakes_and_names: Vec<_> = mistakes_with_rows()
         .flat_map(|(mistake, row)| {
@@ -174,7 +174,7 @@ pub fn find_mistakes_with_hash(hash: u64) -> Vec<(&'static Mistake, &'static str
     mistakes_and_names
 }
 
-/// Returns the names of all locked pictures: those of the steps, then those of the examples in the
+/// Returns the names of all right pictures: those of the steps, then those of the examples in the
 /// order of their steps.
 pub fn names_of_right_pictures() -> Vec<&'static str> {
     hashes_of_right_pictures().map(|(name, _)| name).collect()

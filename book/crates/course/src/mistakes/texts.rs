@@ -48,7 +48,7 @@ impl MistakeTexts {
     }
 }
 
-/// Returns the texts, or None in a module that no page has provided them to yet.
+/// Returns the texts. In a page's module, returns None until the page has provided them.
 pub fn mistake_texts() -> Option<&'static MistakeTexts> {
     if cfg!(target_arch = "wasm32") { PROVIDED.get() } else { Some(&INCLUDED) }
 }

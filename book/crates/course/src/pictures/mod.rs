@@ -1,5 +1,5 @@
-//! The locked pictures, the hash of a picture, the difference between two pictures, in a sentence or
-//! side by side, and a PNG encoder.
+//! The locked pictures, the hash of a picture, the difference between two pictures (described in a
+//! sentence, or drawn side by side), and a PNG encoder.
 
 mod difference;
 mod encode_png;

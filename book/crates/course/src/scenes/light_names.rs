@@ -1,6 +1,6 @@
-//! What the two lights of the steps are called.
+//! The names of the steps' two lights.
 
-/// A light's name in the forms that texts need.
+/// A light's name, in the forms that sentences need.
 #[derive(Clone, Copy, Debug)]
 pub struct LightName {
     /// `warm`
@@ -21,7 +21,7 @@ macro_rules! light_name {
     };
 }
 
-/// The names of the lights of steps 4 and 5, in the order of the scene.
+/// The names of the lights in steps 4 and 5, in the order of the scene.
 pub const LIGHT_NAMES: [LightName; 2] = [light_name!("warm"), light_name!("cool")];
 
 #[cfg(test)]

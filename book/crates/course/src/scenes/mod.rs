@@ -1,5 +1,6 @@
-//! Scenes that differ from step 5's: a reader's own, whose numbers are listed in a table, and the
-//! scene that belongs to a person's name. Also what the lights of the steps are called.
+//! Scenes that differ from step 5's: the scene that a reader puts together, whose numbers are listed
+//! in a table, and the scene that is generated from a person's name. Also the names of the steps'
+//! lights.
 
 mod light_names;
 mod named_scene;

@@ -47,8 +47,8 @@ impl OwnScene {
         look_at(&camera, self.position, self.target, self.roll_degrees.to_radians())
     }
 
-    /// Draws the picture with this many columns. It is drawn by step 5, or by the example `mirror`
-    /// if the scene has mirrors; there, a ray is reflected at most ten times.
+    /// Draws the picture with this many columns. Step 5 draws it or, if the scene has mirrors, the
+    /// example `mirror`, which reflects a ray at most ten times.
     pub fn picture(&self, columns: u32) -> RgbImage {
         let camera = self.camera(columns);
         if !self.has_mirrors {

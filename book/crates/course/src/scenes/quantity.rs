@@ -38,7 +38,7 @@ pub enum Owner {
 pub struct TypedRange {
     /// The first step whose source contains the quantity.
     pub first_step: Step,
-    /// The smallest and the largest value that somebody may have typed, by mistake or not.
+    /// The smallest and the largest value that somebody may plausibly type.
     pub range: [i32; 2],
     /// The number of such values per unit.
     pub steps_per_unit: i32,
@@ -62,16 +62,16 @@ pub struct Scalar {
     pub steps_per_unit: f64,
     /// Whether the number has an effect only in a scene with shadows and mirrors.
     pub needs_mirrors: bool,
-    /// Which component of its owner's position or colour this is. None for all other numbers. Those
-    /// include the colour of highlights, and the position of the camera: a camera has two points,
-    /// so neither counts as its position.
+    /// The component of its owner's position or colour, by which a page's handles and colour field
+    /// find the number. None for all other numbers. These include the camera's points and the
+    /// colour of highlights.
     pub component: Option<Component>,
     property: Property,
     /// The axis or channel, for a property that has three numbers; otherwise 0.
     axis: usize,
 }
 
-/// A component of the position of an object or a light, or a component of a colour.
+/// A component of a position or of a colour.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Component {
     /// To the right.

@@ -1,14 +1,14 @@
-//! The step that a place is in. The build script of the package `page` compiles `place.rs` without
-//! the other files of this crate, so this can't be there.
+//! Finds the step that a place is in. This can't be in `place.rs`, because the build script of the
+//! package `page` compiles that file without the rest of this crate.
 
 use crate::{Place, Step};
 
 impl Place {
-    /// The step whose source it is in.
+    /// The step whose source contains the place.
     ///
     /// # Panics
     ///
-    /// Panics if its file isn't in a step, which a test of all places rules out.
+    /// Panics if the place's file isn't in a step. A test of all listed places rules that out.
     pub fn step(&self) -> Step {
         let folder = self.file.split('/').next();
         folder.and_then(Step::from_name).expect("the file of a place is in a step")

@@ -33,7 +33,7 @@ pub fn target_folder() -> PathBuf {
     target.map_or_else(|| workspace().join("target"), Path::to_owned)
 }
 
-/// A command that runs Cargo. If Cargo runs this program, it is the same Cargo.
+/// A command that runs Cargo: the same Cargo that runs this program, if one does.
 ///
 /// The variable `CARGO_BUILD_TARGET` is removed: if it were set, Cargo would put programs into a
 /// folder named after that target instead of directly into `debug`.
