@@ -82,7 +82,7 @@ fn reports_on_a_class_are_as_locked() {
 }
 
 #[test]
-fn reports_on_own_pictures_are_as_locked() {
+fn reports_on_a_readers_own_pictures_are_as_locked() {
     let folder = create_empty_folder("own");
     write_files(
         &folder,
@@ -176,7 +176,7 @@ fn read_folder(folder: &Path) -> Vec<(String, String)> {
 }
 
 #[test]
-fn sheets_are_as_locked() {
+fn scene_sheets_are_as_locked() {
     let folder = create_empty_folder("sheets");
     let dora = encode(draw_named_scene("D\u{f6}ra"));
     write_files(
@@ -233,7 +233,7 @@ fn sheets_are_as_locked() {
 }
 
 #[test]
-fn most_sheets_have_two_lights_and_two_balls() {
+fn most_scene_sheets_have_two_lights_and_two_balls() {
     let sheets = (0..40).map(|k| check::format_sheet(&format!("student {k}"), None));
     let has_two_balls = |sheet: &String| sheet.contains("first meet each of them");
     let count = sheets.filter(has_two_balls).count();

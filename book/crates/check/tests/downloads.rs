@@ -2,42 +2,45 @@
 //! teachers turn each of them into one folder per student.
 
 use crate::program::{run_check, write_files};
-use crate::{assert_locked, create_empty_folder, encode, locked_file, locked_picture, map_locked};
+use crate::{
+    TitledAnswer, assert_locked, create_empty_folder, encode, locked_file, locked_picture,
+    map_locked,
+};
 use course::{Step, camera_with_size, workspace};
 use std::fs;
 use std::path::Path;
 use std::process::Command;
 
-/// Returns the shell commands below the paragraph that contains `words` on the page for teachers.
-fn shell_lines(words: &str) -> String {
-    let page = workspace().join("book/src/teaching.md");
-    let page = fs::read_to_string(page).expect("the page for teachers").replace('\r', "");
-    let (_, below) = page.split_once(words).expect("the paragraph");
+/// Returns the shell commands below the paragraph that contains `phrase` on the page for teachers.
+fn read_commands_for_teachers(phrase: &str) -> String {
+    let path = workspace().join("book/src/teaching.md");
+    let page = fs::read_to_string(path).expect("the page for teachers").replace('\r', "");
+    let (_, below) = page.split_once(phrase).expect("the paragraph");
     let (_, below) = below.split_once("\n```sh\n").expect("a listing of shell commands");
     below.split_once("\n```\n").expect("the end of the listing").0.to_owned()
 }
 
 /// Runs shell commands in a folder. They have to succeed without printing errors.
-fn run_shell(folder: &Path, lines: &str) {
-    let output = Command::new("sh").args(["-ec", lines]).current_dir(folder).output();
-    let output = output.expect("sh runs");
+fn run_shell(folder: &Path, commands: &str) {
+    let mut shell = Command::new("sh");
+    let output = shell.args(["-ec", commands]).current_dir(folder).output().expect("sh runs");
     let errors = String::from_utf8_lossy(&output.stderr);
-    assert!(output.status.success() && errors.is_empty(), "{lines}\n{errors}");
+    assert!(output.status.success() && errors.is_empty(), "{commands}\n{errors}");
 }
 
 /// Turns the files of a download into folders, using the shell commands for its platform, and
 /// returns the report on them.
 fn report_on_download<const COUNT: usize>(
     platform: &str,
-    words: &str,
+    phrase: &str,
     files: [(&str, Vec<u8>); COUNT],
-) -> (String, String) {
+) -> TitledAnswer {
     let folder = create_empty_folder(&format!("download of {platform}"));
     let download = folder.join("a download");
     fs::create_dir_all(&download).expect("a folder");
     write_files(&download, files);
-    run_shell(&download, &shell_lines(words));
-    run_shell(&download, &shell_lines("**a Mac** leaves"));
+    run_shell(&download, &read_commands_for_teachers(phrase));
+    run_shell(&download, &read_commands_for_teachers("**a Mac** leaves"));
     let arguments = ["--in", "class", "--require", "step01_rays,step02_sphere"];
     let (title, text) = run_check(&folder, &arguments);
     (format!("{platform}, {title}"), text)

@@ -1,7 +1,7 @@
 //! Answers about files in other formats, damaged files, and PNG files with features that the
 //! course's programs don't use.
 
-use crate::{assert_locked, encode, format_answer, locked_picture};
+use crate::{TitledAnswer, assert_locked, encode, format_answer, locked_picture};
 use check::check_png;
 use course::read_locked_picture;
 use course::{Step, camera_with_size};
@@ -39,7 +39,7 @@ fn chunk(kind: &[u8; 4], contents: &[u8]) -> Vec<u8> {
 }
 
 /// Returns the title, and the answer about a file that should be the picture of step 2.
-fn titled_answer(title: &str, file: &[u8]) -> (String, String) {
+fn titled_answer(title: &str, file: &[u8]) -> TitledAnswer {
     let answer = check_png(file, "my.png", Some("step02_sphere"), read_locked_picture);
     (title.to_owned(), format_answer(answer))
 }

@@ -10,7 +10,7 @@ use image::{DynamicImage, RgbImage};
 use step01_rays::Camera;
 
 #[test]
-fn damaged_files_give_answers_without_panic() {
+fn damaged_files_give_errors_without_panic() {
     let undamaged = encode((Step::Rays.picture())(&camera_with_size(16, 9), 1));
     let mut random = Rng::with_seed(0x5EED);
     for k in 0..300 {

@@ -20,6 +20,9 @@ use std::io::Cursor;
 use std::path::PathBuf;
 use step01_rays::{Ray, render};
 
+/// A title, and what `check` says, as they stand in a snapshot.
+type TitledAnswer = (String, String);
+
 fn locked_file(name: &str) -> Vec<u8> {
     fs::read(locked_picture_path(name)).expect("a locked picture")
 }
@@ -70,7 +73,7 @@ fn format_answer(result: Result<Answer, CheckError>) -> String {
 
 /// Compares answers, each below its title, with the snapshot `name`.
 #[track_caller]
-fn assert_locked(name: &str, answers: impl IntoIterator<Item = (String, String)>) {
+fn assert_locked(name: &str, answers: impl IntoIterator<Item = TitledAnswer>) {
     let answers = answers.into_iter();
     let text = answers.map(|(title, text)| format!("## {title}\n{}\n\n", text.trim_end()));
     with_settings!({ prepend_module_to_snapshot => false, omit_expression => true }, {

@@ -75,7 +75,7 @@ fn answers_about_whole_pictures_are_as_locked() {
 }
 
 #[test]
-fn answers_about_changes_of_ours_are_as_locked() {
+fn answers_about_wrong_scenes_and_cameras_are_as_locked() {
     let bare_sky = draw(|ray| ray.direction * DVec3::new(1.0, 1.0, -1.0));
     let mut dull = step05_phong::scene();
     dull.lights[0].specular = DVec3::ZERO;
@@ -92,7 +92,7 @@ fn answers_about_changes_of_ours_are_as_locked() {
     let mut low_view = rounded_ratio;
     low_view.matrix.y_axis.y = -2.0 * rounded_ratio.matrix.z_axis.y / 359.0;
     assert_rows_locked(
-        "changes_of_ours",
+        "wrong_scenes_and_cameras",
         [
             ("sky without 0.7 + 0.3", RAYS, bare_sky),
             ("no warm highlights", PHONG, draw(|ray| step05_phong::colour(&dull, ray))),
@@ -175,9 +175,9 @@ fn answers_about_colours_are_as_locked() {
         RgbImage::from_fn(640, 360, |i, j| Rgb(intensity(i, j).to_array().map(byte)))
     };
     let nearer_by_half = draw(|ray| {
-        let hits = OBJECTS.iter();
-        let hits =
-            hits.filter_map(|object| Some((object.sphere.intersect(ray).first_hit()?, object)));
+        let hits = OBJECTS
+            .iter()
+            .filter_map(|object| Some((object.sphere.intersect(ray).first_hit()?, object)));
         let seen = hits.reduce(|best, hit| if hit.0 < best.0 - 0.5 { hit } else { best });
         seen.map_or_else(|| direction_colour(ray), |(_, object)| object.material)
     });
@@ -203,7 +203,7 @@ fn answers_about_colours_are_as_locked() {
 }
 
 #[test]
-fn answers_about_scenes_of_names_are_as_locked() {
+fn answers_about_named_scenes_are_as_locked() {
     let ada = course::generate_scene("ada");
     let mut small_ball = ada.clone();
     small_ball.objects[3].sphere.radius = 1.0;
@@ -218,5 +218,5 @@ fn answers_about_scenes_of_names_are_as_locked() {
         let answer = check_scene_png(&encode(picture), "my.png", name);
         (format!("{title}, {name}"), format_answer(answer))
     };
-    assert_locked("scenes_of_names", rows.map(answer));
+    assert_locked("named_scenes", rows.map(answer));
 }

@@ -1,7 +1,8 @@
 //! Tests the program `check`: its options, exit codes, errors and JSON.
 
 use crate::{
-    assert_locked, create_empty_folder, draw_named_scene, encode, locked_file, map_locked,
+    TitledAnswer, assert_locked, create_empty_folder, draw_named_scene, encode, locked_file,
+    map_locked,
 };
 use std::fs;
 use std::path::Path;
@@ -9,10 +10,10 @@ use std::process::{Command, Output};
 
 /// Runs `check` with these arguments in this folder. Returns the command, and a text with the exit
 /// code and all output.
-pub fn run_check(folder: &Path, arguments: &[&str]) -> (String, String) {
+pub fn run_check(folder: &Path, arguments: &[&str]) -> TitledAnswer {
     let mut command = Command::new(env!("CARGO_BIN_EXE_check"));
-    let output = command.current_dir(folder).args(arguments).output();
-    let Output { status, stdout, stderr } = output.expect("check runs");
+    let output = command.current_dir(folder).args(arguments).output().expect("check runs");
+    let Output { status, stdout, stderr } = output;
     let [out, error] = [stdout, stderr].map(|text| String::from_utf8_lossy(&text).into_owned());
     let code = status.code().unwrap_or(-1);
     let stream = if error.is_empty() { "" } else { ", standard error" };

@@ -19,13 +19,13 @@ fn draw_small(name: &str) -> Result<RgbImage, String> {
     Ok(picture(&camera_with_size(COLUMNS, ROWS), 1))
 }
 
-fn small_picture(step: Step) -> RgbImage {
+fn draw_small_step(step: Step) -> RgbImage {
     draw_small(step.name()).expect("a picture")
 }
 
 /// Returns the picture of a step, with each pixel changed according to its position and colour.
 fn map_small(step: Step, change: impl Fn(u32, u32, [u8; 3]) -> [u8; 3]) -> RgbImage {
-    let ours = small_picture(step);
+    let ours = draw_small_step(step);
     RgbImage::from_fn(COLUMNS, ROWS, |i, j| Rgb(change(i, j, ours[(i, j)].0)))
 }
 
@@ -51,7 +51,7 @@ fn assert_small_locked(name: &str, rows: impl IntoIterator<Item = (&'static str,
 #[test]
 fn facts_of_small_pictures_are_as_locked() {
     use Step::{Diffuse, Nearest, Phong, Rays, Sphere};
-    let ours = small_picture(Nearest);
+    let ours = draw_small_step(Nearest);
     let number = |i: u32, j: u32| COLUMNS * j + i;
     let seen = |scene: &Scene<Material, Light>, ray: &Ray, terms: fn([DVec3; 5]) -> DVec3| {
         let Some(point) = visible_point(&scene.objects, ray) else { return direction_colour(ray) };
@@ -62,14 +62,14 @@ fn facts_of_small_pictures_are_as_locked() {
     let scene = step05_phong::scene();
     let lit = |terms: fn([DVec3; 5]) -> DVec3| draw(|ray| seen(&scene, ray, terms));
     let grey = |channel: usize| move |_, _, ours: [u8; 3]| [ours[channel]; 3];
-    let is_sphere = |i, j| small_picture(Sphere)[(i, j)].0 == [232, 87, 71];
+    let is_sphere = |i, j| draw_small_step(Sphere)[(i, j)].0 == [232, 87, 71];
     let only_objects = |change: fn([u8; 3]) -> [u8; 3]| {
-        let sky = small_picture(Rays);
+        let sky = draw_small_step(Rays);
         map_small(Phong, move |i, j, ours| if ours == sky[(i, j)].0 { ours } else { change(ours) })
     };
     // Changes this many pixels of the red sphere: five show the sky and the others a wrong colour.
     let few_show_the_sky = |count: usize| {
-        let (mut picture, sky) = (small_picture(Nearest), small_picture(Rays));
+        let (mut picture, sky) = (draw_small_step(Nearest), draw_small_step(Rays));
         let red = picture.enumerate_pixels().filter(|(_, _, colour)| colour.0 == [232, 87, 71]);
         let places: Vec<_> = red.map(|(i, j, _)| (i, j)).take(count).collect();
         for (k, place) in places.into_iter().enumerate() {
@@ -155,14 +155,14 @@ fn facts_of_small_pictures_are_as_locked() {
                 "half of the objects",
                 Nearest,
                 map_small(Nearest, |i, j, c| {
-                    if c == small_picture(Rays)[(i, j)].0 { c } else { c.map(|b| b / 2) }
+                    if c == draw_small_step(Rays)[(i, j)].0 { c } else { c.map(|b| b / 2) }
                 }),
             ),
             (
                 "the sky alone",
                 Diffuse,
                 map_small(Diffuse, |i, j, c| {
-                    if c == small_picture(Rays)[(i, j)].0 { c.map(|b| b / 2) } else { c }
+                    if c == draw_small_step(Rays)[(i, j)].0 { c.map(|b| b / 2) } else { c }
                 }),
             ),
             (
@@ -247,7 +247,7 @@ fn facts_of_small_pictures_are_as_locked() {
                 Nearest,
                 map_small(Nearest, |i, j, c| {
                     if number(i, j) % 97 == 0 {
-                        small_picture(Rays)[(i, j)].0
+                        draw_small_step(Rays)[(i, j)].0
                     } else if i == 40 {
                         [9; 3]
                     } else {
@@ -260,7 +260,7 @@ fn facts_of_small_pictures_are_as_locked() {
                 Nearest,
                 map_small(Nearest, |i, j, c| {
                     if j == 20 && c[2] != 255 {
-                        if i < 6 { small_picture(Rays)[(i, j)].0 } else { [9; 3] }
+                        if i < 6 { draw_small_step(Rays)[(i, j)].0 } else { [9; 3] }
                     } else {
                         c
                     }
@@ -385,7 +385,7 @@ fn shapes_of_undrawn_pixels_are_as_locked() {
         ("grey rows", of_colour([1; 3], |_, j| j % 2 == 0)),
     ];
     let rows = rows.map(|(title, picture)| (title, Step::Rays, picture)).into_iter();
-    let sky = small_picture(Step::Rays);
+    let sky = draw_small_step(Step::Rays);
     let nearest = |change: &dyn Fn(u32, u32, [u8; 3]) -> [u8; 3]| map_small(Step::Nearest, change);
     let others = [
         ("a black sky", nearest(&|i, j, c| if c == sky[(i, j)].0 { [0; 3] } else { c })),
@@ -409,7 +409,7 @@ fn shapes_of_undrawn_pixels_are_as_locked() {
 
 #[test]
 fn answers_about_transformed_pictures_are_as_locked() {
-    let ours = small_picture(Step::Nearest);
+    let ours = draw_small_step(Step::Nearest);
     let swapped = |order: [usize; 3]| map_small(Step::Nearest, move |_, _, c| order.map(|k| c[k]));
     let part = |i, j, w, h| image::imageops::crop_imm(&ours, i, j, w, h).to_image();
     let enlarged = |times: u32| {
