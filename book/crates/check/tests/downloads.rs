@@ -20,7 +20,7 @@ fn read_commands_for_teachers(phrase: &str) -> String {
     below.split_once("\n```\n").expect("the end of the listing").0.to_owned()
 }
 
-/// Runs shell commands in a folder. They have to succeed without printing errors.
+/// Runs shell commands in a folder. Panics if they fail or print errors.
 fn run_shell(folder: &Path, commands: &str) {
     let mut shell = Command::new("sh");
     let output = shell.args(["-ec", commands]).current_dir(folder).output().expect("sh runs");
@@ -29,7 +29,7 @@ fn run_shell(folder: &Path, commands: &str) {
 }
 
 /// Turns the files of a download into folders, using the shell commands for its platform, and
-/// returns the report on them.
+/// returns the report on the folders.
 fn report_on_download<const COUNT: usize>(
     platform: &str,
     phrase: &str,
@@ -74,8 +74,8 @@ fn submitted_files() -> SubmittedFiles {
 
 const FOLDERS: &str = "**Moodle, D2L Brightspace, Gradescope and GitHub**";
 
-/// Submissions by more than twenty-four students on seven platforms. Each picture is right, or the
-/// report names it for a person to look at.
+/// About two dozen students submit files on seven platforms. Every picture is either right, or named
+/// in the report, so that the teacher looks at it.
 #[test]
 fn made_up_downloads_are_reported_as_locked() {
     let SubmittedFiles { rays, sphere, flipped, bgr, small, jpeg, text } = submitted_files();

@@ -8,8 +8,8 @@ use course::{Step, camera_with_size};
 use image::{DynamicImage, RgbImage};
 use std::slice;
 
-/// Returns the PNG file with these columns and rows in its header, whatever size the picture in it
-/// really has.
+/// Returns a copy of a PNG file whose header claims this size, whatever size the picture really
+/// has.
 fn with_size(png: &[u8], columns: u32, rows: u32) -> Vec<u8> {
     let size = [columns, rows].map(u32::to_be_bytes).concat();
     let header = [&png[12..16], &size, &png[24..29]].concat();
@@ -38,7 +38,7 @@ fn chunk(kind: &[u8; 4], contents: &[u8]) -> Vec<u8> {
     [&length[..], &kind_and_contents, &sum].concat()
 }
 
-/// Returns the title, and the answer about a file that should be the picture of step 2.
+/// Checks a file that should be step 2's picture. Returns the title, and the answer.
 fn titled_answer(title: &str, file: &[u8]) -> TitledAnswer {
     let answer = check_png(file, "my.png", Some("step02_sphere"), read_locked_picture);
     (title.to_owned(), format_answer(answer))
@@ -109,7 +109,7 @@ fn other_kinds_of_png_are_as_locked() {
     let still = encode(ours.clone());
     let with_chunks = |chunks: &[Vec<u8>]| [&still[..33], &chunks.concat(), &still[33..]].concat();
     let animation = chunk(b"acTL", &[0, 0, 0, 2, 0, 0, 0, 0]);
-    // The chunk of a frame begins with the sequence number 0, the size 640×360 and the offset
+    // A frame's chunk begins with its sequence number, 0, its size, 640×360, and its offset,
     // (0, 0). The delay and the drawing mode follow.
     let frame = [0, 640, 360, 0, 0].map(u32::to_be_bytes).concat();
     let first_frame = chunk(b"fcTL", &[&frame[..], &[0, 1, 0, 10, 0, 0]].concat());

@@ -1,5 +1,6 @@
-//! Answers about small pictures, of which many can be checked in a short time. Each sentence about
-//! wrong pixels is tested with just enough of what it requires, and with slightly too little.
+//! Answers about small pictures, since many of them can be checked in a short time. For each
+//! sentence about wrong pixels, one picture just meets the sentence's condition, and another just
+//! misses it.
 
 use crate::{assert_locked, encode, format_answer};
 use check::check_png;
@@ -35,8 +36,8 @@ fn draw(colour: impl Fn(&Ray) -> DVec3) -> RgbImage {
     RgbImage::from_fn(COLUMNS, ROWS, |i, j| rgb8(colour(&camera.ray(i.into(), j.into()))))
 }
 
-/// Compares the answers about these pictures with the snapshot `name`. The `by_hand` tests and the
-/// pixel at the end are left out.
+/// Compares the answers about these pictures with the snapshot `name`, except for the end of each
+/// answer, which names `by_hand` tests and a pixel.
 #[track_caller]
 fn assert_small_locked(name: &str, rows: impl IntoIterator<Item = (&'static str, Step, RgbImage)>) {
     let answer = |(title, step, picture): (&str, Step, RgbImage)| {
