@@ -57,16 +57,17 @@ fn files_below(folder: &Path) -> Vec<PathBuf> {
 /// for certain which snapshots are compared (`cargo insta test --unreferenced=reject`), but one
 /// whose name occurs nowhere can't belong to any test.
 #[test]
-fn each_snapshot_of_words_has_its_name_in_its_crate() {
+fn each_text_snapshot_has_its_name_in_its_crate() {
     let (mut orphans, mut count) = (vec![], 0);
     for crate_folder in fs::read_dir(workspace().join("book/crates")).expect("a folder").flatten() {
         let files = files_below(&crate_folder.path());
-        let has_extension = |end: &'static str| {
-            files.iter().filter(move |path| path.extension() == Some(end.as_ref()))
+        let files_with_extension = |extension: &'static str| {
+            files.iter().filter(move |path| path.extension() == Some(extension.as_ref()))
         };
-        let sources = has_extension("rs").map(|path| fs::read_to_string(path).expect("a source"));
-        let sources: String = sources.collect();
-        for path in has_extension("snap") {
+        let sources: String = files_with_extension("rs")
+            .map(|path| fs::read_to_string(path).expect("a source file"))
+            .collect();
+        for path in files_with_extension("snap") {
             let stem = path.file_stem().unwrap_or_default().to_string_lossy();
             let name = stem.rsplit("__").next().unwrap_or_default();
             let is_named = |text: String| sources.contains(&text);

@@ -13,9 +13,8 @@ pub type LockedPicture = (&'static str, Camera, DrawPicture);
 
 /// Returns all locked pictures: those of the steps, the exercises and the chapters, and the cover.
 pub fn locked_pictures() -> Vec<LockedPicture> {
-    let exercises = course::PICTURES.iter();
-    let exercises = exercises.map(|(name, draw)| (*name, camera(), *draw));
-    exercises.chain(chapter_pictures()).collect()
+    let with_camera = |(name, draw): &(_, _)| (*name, camera(), *draw);
+    course::PICTURES.iter().map(with_camera).chain(chapter_pictures()).collect()
 }
 
 /// Lists pictures, and defines the macro `with_chapter_picture_names`, which passes their names to
@@ -42,16 +41,16 @@ chapter_pictures! {
     step05_ambient: camera(), |camera, _| terms::picture(camera, |phong| phong.ambient);
     step05_diffuse: camera(), |camera, _| terms::picture(camera, |phong| phong.diffuse);
     step05_specular: camera(), |camera, _| terms::picture(camera, |phong| phong.specular);
-    one_ray: four_tiles_camera(), |camera, _| enlarge(render(camera, 1, floor));
-    sixteen_rays: four_tiles_camera(), |camera, _| enlarge(render(camera, 4, floor));
+    one_ray: checkerboard_detail_camera(), |camera, _| enlarge(render(camera, 1, floor));
+    sixteen_rays: checkerboard_detail_camera(), |camera, _| enlarge(render(camera, 4, floor));
     open_gate: gate_detail_camera(), |camera, _| {
         let scene = scene();
         enlarge(render(camera, 1, |ray| colour_without_gate(&scene, ray)))
     };
     shut_gate: gate_detail_camera(), |camera, _| enlarge(picture(camera, 1));
-    speckled: camera_without_tan(), |camera, _| draw_shadows_of_mirrors(camera, 0.0);
-    shadowed: camera(), |camera, _| draw_shadows_of_mirrors(camera, mirror::OFFSET);
-    close_up: white_sphere_camera(), |camera, _| mirror::picture(camera, 2);
+    speckled: camera_with_literal_tan(), |camera, _| draw_mirrors_without_reflections(camera, 0.0);
+    shadowed: camera(), |camera, _| draw_mirrors_without_reflections(camera, mirror::OFFSET);
+    close_up: white_sphere_detail_camera(), |camera, _| mirror::picture(camera, 2);
     cover: camera_with_size(1280, 720), |camera, _| step05_phong::picture(camera, 4);
     goodbye: camera_with_size(1280, 720), |camera, _| mirror::picture(camera, 2);
 }
@@ -68,7 +67,7 @@ fn slide_camera() -> Camera {
 }
 
 /// A camera that sees four tiles of the checkerboard.
-fn four_tiles_camera() -> Camera {
+fn checkerboard_detail_camera() -> Camera {
     crop_camera(camera(), [366.0, 264.0], [40, 30])
 }
 
@@ -78,13 +77,13 @@ fn gate_detail_camera() -> Camera {
 }
 
 /// A close-up camera on the white sphere.
-fn white_sphere_camera() -> Camera {
+fn white_sphere_detail_camera() -> Camera {
     crop_camera(camera_with_size(2560, 1440), [213.0, 926.0], [640, 360])
 }
 
 /// The course's camera, with the tangent written as a literal. `tan` may round differently on
 /// another machine, and the picture drawn with this camera shows rounding errors.
-fn camera_without_tan() -> Camera {
+fn camera_with_literal_tan() -> Camera {
     const TAN_30: f64 = 0.577_350_269_189_625_7;
     let d = 2.0 * TAN_30 / 639.0;
     let matrix = DMat3::from_cols(
@@ -97,9 +96,9 @@ fn camera_without_tan() -> Camera {
 
 /// Draws the mirror scene with shadows but without reflections. The rays to the lights start
 /// `offset` above a surface.
-fn draw_shadows_of_mirrors(camera: &Camera, offset: f64) -> RgbImage {
+fn draw_mirrors_without_reflections(camera: &Camera, shadow_offset: f64) -> RgbImage {
     let scene = mirror::mirrors();
-    render(camera, 1, |ray| mirror::colour(&scene, ray, 0, offset))
+    render(camera, 1, |ray| mirror::colour(&scene, ray, 0, shadow_offset))
 }
 
 /// Crops a camera to a rectangle of its picture, given by the first column and row, and by the

@@ -11,7 +11,7 @@ const WITHOUT_PRACTICE: [&str; 1] = ["fast"];
 
 /// Returns a map from the name of each exercise's section on a page to the pictures that the forms
 /// in that section check.
-fn sections(page: &Page) -> BTreeMap<&str, Vec<&str>> {
+fn checked_pictures_by_section(page: &Page) -> BTreeMap<&str, Vec<&str>> {
     let (mut sections, mut section) = (BTreeMap::new(), None);
     for element in &page.elements {
         match &*element.tag {
@@ -33,9 +33,9 @@ fn sections(page: &Page) -> BTreeMap<&str, Vec<&str>> {
 #[test]
 fn each_exercise_has_its_section_its_form_and_its_solution() {
     let book = built_book();
-    let solutions = sections(&book.pages["solutions.html"]);
+    let solutions = checked_pictures_by_section(&book.pages["solutions.html"]);
     let practice = book.pages.values().filter(|page| page.name.ends_with("_practice.html"));
-    let exercises: BTreeMap<_, _> = practice.flat_map(sections).collect();
+    let exercises: BTreeMap<_, _> = practice.flat_map(checked_pictures_by_section).collect();
     let mut faults = vec![];
     for name in solutions.keys().filter(|name| !WITHOUT_PRACTICE.contains(name)) {
         match exercises.get(name) {

@@ -31,10 +31,10 @@ fn job_commands_without_rustup(job: &str) -> Vec<JobCommand> {
     let steps = job_text(job).split("\n      - ").skip(1);
     let command = |step: &str| {
         let (_, command) = step.split_once("run: ")?;
-        let lines = command.lines().enumerate();
         // The lines of a multi-line command are indented further than the step's keys.
-        let lines = lines.take_while(|(k, line)| *k == 0 || line.starts_with("          "));
-        let lines: Vec<_> = lines.map(|(_, line)| line).filter(|line| *line != "|").collect();
+        let is_part = |k: usize, line: &str| k == 0 || line.starts_with("          ");
+        let parts = command.lines().enumerate().take_while(|(k, line)| is_part(*k, line));
+        let lines: Vec<_> = parts.map(|(_, line)| line).filter(|line| *line != "|").collect();
         let is_for_failure = step.contains("if: failure()");
         Some(JobCommand { lines: lines.join("\n"), is_for_failure })
     };
@@ -69,12 +69,11 @@ const COMMIT: &str = "git add --all && \
     git -c user.name=Ada -c user.email=ada@example.org commit --quiet --message=work";
 
 /// Creates a repository in `folder` from the template.
-fn copy_template(folder: &Path) -> Result<()> {
+fn create_repository(folder: &Path) -> Result<()> {
     fs::create_dir_all(folder)?;
     let course = workspace();
-    let course = course.to_str().expect("UTF-8");
     let copy = "cp -R \"$COURSE\"/book/reader/. \"$COURSE\"/Cargo.lock .";
-    run(folder, copy, &[("COURSE", course)])?;
+    run(folder, copy, &[("COURSE", course.to_str().expect("UTF-8"))])?;
     run(folder, &format!("git init --quiet && {COMMIT}"), &[])?;
     Ok(())
 }
@@ -152,10 +151,10 @@ fn grading_has_nothing_of_the_student_but_pictures() {
 #[test]
 #[cfg(unix)]
 #[ignore = "takes minutes: cargo test -- --include-ignored"]
-fn workflow_is_green_for_a_picture_that_is_drawn() -> Result<()> {
+fn workflow_passes_only_if_a_program_draws_the_picture() -> Result<()> {
     let class = env::temp_dir().join(format!("class-{}", process::id()));
     let folder = class.join("ada");
-    copy_template(&folder)?;
+    create_repository(&folder)?;
     let text = run_workflow(&folder, "step01_rays,step02_sphere")?;
     assert!(text.contains("No step is there yet"), "{text}");
     type_first_step(&folder)?;

@@ -48,8 +48,8 @@ fn program_of_a_scene_draws_its_picture() {
 /// Saves a program, and runs it with the command in the program's second line. The command ends
 /// with the program's name.
 fn assert_program_draws(reader: &ReaderWorkspace, program: &str, picture: &RgbImage) {
-    let command = program.lines().nth(1).and_then(|line| line.split('`').nth(1));
-    let command = command.expect("a command");
+    let second_line = program.lines().nth(1).expect("a second line");
+    let command = second_line.split('`').nth(1).expect("a command");
     let (_, example) = command.rsplit_once(' ').expect("a name");
     let path = format!("steps/step05_phong/examples/{example}.rs");
     reader.write_if_changed(&path, program).expect("a file can be written");

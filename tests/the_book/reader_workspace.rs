@@ -72,8 +72,8 @@ impl ReaderWorkspace {
         }
         members.sort();
         let manifest = fs::read_to_string(self.folder.join("Cargo.toml"))?;
-        let manifest = manifest.replace("[\"steps/*\"]", &format!("{members:?}"));
-        self.write_if_changed("Cargo.toml", &manifest)
+        let expanded = manifest.replace("[\"steps/*\"]", &format!("{members:?}"));
+        self.write_if_changed("Cargo.toml", &expanded)
     }
 
     /// Runs a command, given as its words, with this optimisation level. Returns its exit code and

@@ -9,9 +9,8 @@ use std::sync::LazyLock;
 /// The files that a reader types, keyed by path: those of the five crates, with their rustfmt
 /// settings, and those in `book/reader` and `book/typed`.
 pub static SOURCE_FILES: LazyLock<Files> = LazyLock::new(|| {
-    let steps = read_folder("steps").0.into_iter();
-    let steps = steps.map(|(path, bytes)| (format!("steps/{path}"), bytes));
-    let mut files: Files = Files(steps.collect());
+    let in_workspace = |(path, bytes)| (format!("steps/{path}"), bytes);
+    let mut files = Files(read_folder("steps").0.into_iter().map(in_workspace).collect());
     files.0.extend(read_folder("book/reader").0);
     files.0.extend(read_folder("book/typed").0);
     files

@@ -57,14 +57,14 @@ fn commands_do_what_their_pages_say() -> Result<()> {
             }
             PageItem::Command(command) => {
                 reader.write_files(&typed)?;
-                drawn_names.extend(run_and_verify(&reader, &command)?);
+                drawn_names.extend(run_and_list_verified_pictures(&reader, &command)?);
             }
             PageItem::Heading => {}
         }
     }
     reader.write_files(&typed)?;
     for command in commands_for_later {
-        drawn_names.extend(run_and_verify(&reader, &command)?);
+        drawn_names.extend(run_and_list_verified_pictures(&reader, &command)?);
     }
     let names = PICTURES.iter().map(|(name, _)| *name).chain(["cover", "shadowed", "goodbye"]);
     let missing: Vec<_> = names.filter(|name| !drawn_names.contains(*name)).collect();
@@ -83,7 +83,10 @@ fn runs_unlisted_example(PageCommand { line, .. }: &PageCommand, typed: &TypedFi
 
 /// Runs a command from a page in the reader's workspace. Returns the names of the locked pictures
 /// that it drew. It's an error if the exit code, output or pictures differ from what the page says.
-fn run_and_verify(reader: &ReaderWorkspace, command: &PageCommand) -> Result<Vec<String>> {
+fn run_and_list_verified_pictures(
+    reader: &ReaderWorkspace,
+    command: &PageCommand,
+) -> Result<Vec<String>> {
     for path in picture_paths(reader)? {
         fs::remove_file(path)?;
     }
