@@ -1,5 +1,5 @@
-//! Compares every locked picture (of the steps, exercises and chapters, and the cover) with its
-//! snapshot, in a test named after the picture. These tests run before all others.
+//! Compares every locked picture (those of the steps, exercises and chapters, and the cover) with
+//! its snapshot, each in a test named after the picture. These tests run before all others.
 
 use course::{draw_with_difference, workspace};
 use image::{Rgb, RgbImage};

@@ -11,9 +11,9 @@ use support::{RandomInputs, test_law};
 
 /// Returns every set of vector instructions that this machine supports.
 ///
-/// The library can also do without any. That fallback isn't tested, because it isn't even compiled
-/// for a processor that always has some, and forcing it costs a cold `cargo test` nearly a minute of
-/// CPU time.
+/// The library also has a fallback that uses none. It isn't tested: where all processors of the
+/// target have vector instructions, the fallback isn't even compiled, and forcing it would cost a
+/// cold `cargo test` nearly a minute of CPU time.
 fn simd_levels() -> Vec<Level> {
     let best = Level::new();
     let mut levels = vec![Level::baseline(), best];
@@ -140,8 +140,9 @@ fn fast_draws_the_bytes_of_render_for_rays_in_one_plane() {
     });
 }
 
-// Two blocks meet at column 15.5. This camera's centre is at that column, and nearly in the plane
-// of the picture, so rounding errors in V turn the plane through the blocks' edge by a large angle.
+// Two blocks of pixels meet at column 15.5. This camera's centre is at that column, and nearly in
+// the plane of the picture, so rounding errors in V turn the plane through the blocks' common edge
+// by a large angle.
 #[test]
 fn fast_draws_the_bytes_of_render_for_a_camera_nearly_in_the_plane_of_its_picture() {
     test_law(60, |random| {
@@ -240,7 +241,7 @@ fn fast_rounds_like_render() {
             scene
         };
         let lit = colour(&with_sphere(hit_sphere, DVec3::ZERO), &ray);
-        // The ambient light that brings the colour halfway between two bytes.
+        // The ambient light that moves the colour to halfway between two bytes.
         let ambient_light = ((255.0 * lit).floor() + 1.5) / 255.0 - lit;
         for (sphere, light) in [(tangent_sphere, DVec3::ONE), (hit_sphere, ambient_light)] {
             assert_fast_draws(&camera, 1, &with_sphere(sphere, light));

@@ -49,16 +49,16 @@ fn starters_fast_and_own_scene_draw_the_pictures_of_their_steps() {
 }
 
 /// Replaces each number in the camera's matrix with its `neighbour`, the next or the previous f64.
-/// Integers are left alone, because the formulas give exactly these however they are written.
+/// Integers are left alone: however the formulas are written, they give these exactly.
 fn perturb_camera(camera: &Camera, neighbour: fn(f64) -> f64) -> Camera {
     let perturb = |x: f64| if x.fract() == 0.0 { x } else { neighbour(x) };
     let matrix = camera.matrix.to_cols_array().map(perturb);
     Camera { matrix: DMat3::from_cols_array(&matrix), ..*camera }
 }
 
-/// On another platform, the tangent may differ in its last bit. So may a number in the matrix if
-/// its formula is written in a different order. `speckled` is skipped: it shows rounding errors,
-/// and its camera doesn't compute a tangent.
+/// On another platform, the tangent may differ in its last bit. So may a number in the matrix, if a
+/// reader writes the terms of its formula in a different order. `speckled` is skipped: it shows
+/// rounding errors, and its camera doesn't compute a tangent.
 #[test]
 #[ignore = "takes a minute: cargo test -- --include-ignored"]
 fn pictures_do_not_depend_on_the_last_bit_of_the_camera() {

@@ -87,7 +87,8 @@ fn glass_mirrors_all_light_that_leaves_it_beyond_42_degrees() {
     }
     // At a slightly smaller angle, most of the light leaves.
     assert!(seen(41.0).y > -0.5, "{}", seen(41.0));
-    // With an index below 1, as for a bubble in glass, total reflection also occurs from outside.
+    // With an index below 1, as for an air bubble in glass, rays from outside are totally reflected,
+    // too.
     let from_outside =
         Ray { start: DVec3::new(-2.0, 2.0, 0.0), direction: DVec3::new(2.0, -1.0, 0.0) };
     let seen = glass::through_glass(&from_outside, &point, 1.0 / 1.5, |next| next.direction);

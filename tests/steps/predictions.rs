@@ -1,5 +1,5 @@
-//! Predictions that a chapter asks for and a run decides. Each test quotes the book, and checks
-//! that the program, changed as the question says, would show what the book says.
+//! Predictions: a chapter asks what a program will draw, often after a change, and a run gives the
+//! answer. Each test quotes the book's answer, and checks it.
 
 use glam::DVec3;
 use step02_sphere::{Ray, Roots};

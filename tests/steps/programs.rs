@@ -9,7 +9,7 @@ use std::process::{Command, Output};
 use std::sync::Once;
 use std::{env, fs};
 
-/// Arguments at the limits of their allowed ranges.
+/// Arguments at the limits of what is allowed.
 const ALLOWED: [&str; 7] = [
     "--width 8192 --aspect 1e9:1",
     "--width 8192 --aspect 16:9",
@@ -79,7 +79,7 @@ fn program_refuses_what_is_not_allowed_and_leaves_files_alone() {
     fs::create_dir(folder.join("unwritable.tmp")).expect("a folder");
     let texts = REFUSED.map(|arguments| {
         let Output { status, stdout, stderr } = run("step01_rays", &folder, arguments);
-        assert!(status.success() || stdout.is_empty(), "errors are on stderr");
+        assert!(status.success() || stdout.is_empty(), "an error is on stdout: {arguments}");
         let text = String::from_utf8([stdout, stderr].concat()).expect("UTF-8");
         let code = status.code().unwrap_or(-1);
         format!("$ step01_rays {}\n{text}--- exit code {code} ---\n\n", arguments.escape_debug())

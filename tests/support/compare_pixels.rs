@@ -20,14 +20,14 @@ pub fn compare_pixels(name: &str, picture: &RgbImage, assert: impl FnOnce(Vec<u8
     let mut settings = Settings::clone_current();
     settings.set_prepend_module_to_snapshot(false);
     settings.set_omit_expression(true);
-    // The default path of the saved comparison. A custom target folder is ignored, because this
-    // description is a part of the snapshot, which has to be the same on every machine.
+    // The path of the saved comparison in the default target folder. A custom target folder is
+    // ignored: the description is part of the snapshot, which has to be the same on every machine.
     settings.set_description(format!("target/differences/{name}.png"));
     let mismatch = describe_and_save_mismatch(name, picture);
     match &mismatch {
         Some(text) => {
             let command = "INSTA_UPDATE=always cargo test --test pictures";
-            println!("{name}: {text}\nIs it meant? `{command} {name}` accepts it.");
+            println!("{name}: {text}\nIf this is intended, accept it: {command} {name}");
         }
         None => drop(fs::remove_file(panels_path(name))),
     }
@@ -40,14 +40,14 @@ pub fn compare_pixels(name: &str, picture: &RgbImage, assert: impl FnOnce(Vec<u8
     let png = locked_png.filter(|_| mismatch.is_none()).unwrap_or_else(|| encode_png(picture));
     settings.bind(|| assert(png));
     if update == SnapshotUpdate::InPlace {
-        // insta has accepted the picture, but it deletes only one of the two files that waited for
-        // review.
+        // insta has accepted the picture, but deletes only one of the two files that a failed test
+        // leaves for review.
         let _ = fs::remove_file(locked_picture_path(name).with_extension("new"));
     }
 }
 
 /// Describes how a picture differs from the locked one, and saves panels that show the difference.
-/// Says so if there is no locked one. Returns None if the two pictures are equal.
+/// If there is no locked picture, says so. Returns None if the two pictures are equal.
 fn describe_and_save_mismatch(name: &str, picture: &RgbImage) -> Option<String> {
     let path = locked_picture_path(name);
     let has_text = path.with_extension("").exists();

@@ -18,8 +18,7 @@ pub fn locked_pictures() -> Vec<LockedPicture> {
 }
 
 /// Lists pictures, and defines the macro `with_chapter_picture_names`, which passes their names to
-/// another macro. The names have to be available to macros, because only a macro can declare a test
-/// for each picture.
+/// another macro: only a macro can declare a test function for each picture.
 macro_rules! chapter_pictures {
     ($dollar:tt $($name:ident: $camera:expr, $draw:expr;)*) => {
         /// The pictures in chapters that belong to no step or exercise, and the cover.
@@ -66,12 +65,12 @@ fn slide_camera() -> Camera {
     camera
 }
 
-/// A camera that sees four tiles of the checkerboard.
+/// A close-up camera on four tiles of the checkerboard.
 fn checkerboard_detail_camera() -> Camera {
     crop_camera(camera(), [366.0, 264.0], [40, 30])
 }
 
-/// A camera on the spot where highlights appear if there is no test of n·l (the gate is open).
+/// A close-up camera on the place where highlights appear without the test of n·l (the gate).
 fn gate_detail_camera() -> Camera {
     crop_camera(camera(), [585.0, 150.0], [40, 30])
 }

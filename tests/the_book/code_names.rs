@@ -11,7 +11,8 @@ use std::collections::HashSet;
 const FOREIGN_NAMES: [&str; 7] =
     ["break", "f32", "ceil", "INSTA_UPDATE", "unseen", "gluPerspective", "LATE"];
 
-/// Splits a text into words. Each comes with the whole text before it and the whole text after it.
+/// Splits a text into words. Each comes between all of the text before it and all of the text after
+/// it.
 fn words_with_surroundings(text: &str) -> impl Iterator<Item = (&str, &str, &str)> {
     let is_part = |c: char| c.is_alphanumeric() || c == '_';
     let words = text.split(move |c| !is_part(c)).filter(|word| !word.is_empty());

@@ -1,5 +1,5 @@
 //! Tests that a reader who stops at a heading or a command has crates that compile. A crate's
-//! *state* is what the reader has typed of it up to there.
+//! *state* is the part that the reader has typed so far.
 
 use super::built_book::built_book;
 use super::page_items::{PageItem, TypedFiles, page_items};

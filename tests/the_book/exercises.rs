@@ -9,8 +9,8 @@ use std::collections::BTreeMap;
 /// Solutions without an exercise on a practice page: `fast` has its own page, "Faster".
 const WITHOUT_PRACTICE: [&str; 1] = ["fast"];
 
-/// Returns a map from the name of each exercise's section on a page to the pictures that the forms
-/// in that section check.
+/// Maps the name of each exercise's section on a page to the names of the pictures that the forms in
+/// that section check.
 fn checked_pictures_by_section(page: &Page) -> BTreeMap<&str, Vec<&str>> {
     let (mut sections, mut section) = (BTreeMap::new(), None);
     for element in &page.elements {

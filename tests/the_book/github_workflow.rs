@@ -20,7 +20,7 @@ struct JobCommand {
     is_for_failure: bool,
 }
 
-/// The workflow's text for a job, up to the next job.
+/// The part of the workflow's text that defines a job.
 fn job_text(job: &str) -> &'static str {
     let (_, text) = WORKFLOW.split_once(&format!("\n  {job}:\n")).expect("the job");
     text.split_once("\n\n").map_or(text, |(text, _)| text)
@@ -68,7 +68,7 @@ fn run(folder: &Path, command: &str, variables: &[(&str, &str)]) -> Result<Strin
 const COMMIT: &str = "git add --all && \
     git -c user.name=Ada -c user.email=ada@example.org commit --quiet --message=work";
 
-/// Creates a repository in `folder` from the template.
+/// Creates a student's repository in `folder` from the template, with one commit.
 fn create_repository(folder: &Path) -> Result<()> {
     fs::create_dir_all(folder)?;
     let course = workspace();

@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 /// The text of each file typed so far, keyed by path.
 pub type TypedFiles<'a> = BTreeMap<&'a str, String>;
 
-/// Types all listings on these pages, as a reader does.
+/// Joins all listings on these pages to files, as a reader does who types them.
 pub fn typed_files<'a>(pages: impl IntoIterator<Item = &'a Page>) -> TypedFiles<'a> {
     let mut typed = TypedFiles::new();
     for item in pages.into_iter().flat_map(page_items) {

@@ -11,8 +11,8 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::PathBuf;
 
-/// An edit that a page asks the reader to make before a command. It is undone when the files are
-/// written again before the next command.
+/// An edit that a page asks the reader to make before a command. Before the next command, the files
+/// are written again, which undoes the edit.
 struct Edit {
     /// The end of the command.
     command_end: &'static str,
