@@ -60,7 +60,8 @@ const book = /** @type {any} */ ({ root: document.documentElement });
         setTimeout(() => { button.textContent = label; }, 1500);
     };
 
-    // What a reader has done is stored in the browser, and nowhere else.
+    // What a reader has done is stored in the browser, and nowhere else. In a private window, a
+    // browser may refuse to store anything.
     book.recall = name => {
         try { return JSON.parse(localStorage.getItem(name)) ?? {}; } catch { return {}; /* private */ }
     };
@@ -124,8 +125,8 @@ const book = /** @type {any} */ ({ root: document.documentElement });
     // Once a part of the page has come near the view, it stays laid out.
     book.whenNear(document.querySelectorAll("main > *"), part => { part.style.contentVisibility = "visible"; });
 
-    // The theme: auto, which is the system's choice, then the one that the system hasn't chosen, so
-    // that the first click changes something, then the other.
+    // The theme. A click goes from `auto`, which follows the system, to the theme that the system
+    // doesn't use, so that something changes, then to the other theme, and then back.
     {
         const others = matchMedia("(prefers-color-scheme: dark)").matches ? ["light", "dark"] : ["dark", "light"];
         const themes = ["auto", ...others];
@@ -237,7 +238,7 @@ const book = /** @type {any} */ ({ root: document.documentElement });
         document.querySelector("main").prepend(book.make("p", { class: "missing refused", role: "status" }, words));
     }
 
-    // Code: it is coloured when it comes near the view, and each listing has a button to copy it.
+    // Code is coloured when it comes near the view, and each listing has a button to copy it.
     const isWhole = document.body.matches(".whole");
     book.colourCode = code => {
         try { book.writeHTML(() => window.hljs?.highlightBlock(code)); } catch { /* It stays without colours. */ }
@@ -279,8 +280,7 @@ const book = /** @type {any} */ ({ root: document.documentElement });
         });
     }
 
-    // Problems on paper: a number is right if its error, as a fraction of the answer, is at most
-    // the tolerance.
+    // Problems on paper: a number is right if its relative error is at most the tolerance.
     for (const problem of isWhole ? [] : document.querySelectorAll(".problem")) {
         const [answer, tolerance] = [problem.dataset.answer, problem.dataset.tolerance].map(Number);
         const number = problem.querySelector(".number").textContent;
@@ -316,7 +316,8 @@ const book = /** @type {any} */ ({ root: document.documentElement });
     // Make parts that may scroll sideways focusable, so that the keyboard can scroll them.
     document.querySelectorAll("main :is(pre, .table-wrapper)").forEach(part => { part.tabIndex = 0; });
 
-    // Browsers don't all take a figure's name from its caption. A listing has the name of its file.
+    // Not all browsers take a figure's accessible name from its caption. A listing is named after
+    // its file.
     document.querySelectorAll("figure:not([aria-label]) > figcaption").forEach((caption, k) => {
         const label = caption.querySelector(".path") ?? caption;
         label.id ||= `caption-${k}`;
@@ -326,8 +327,8 @@ const book = /** @type {any} */ ({ root: document.documentElement });
     // Tell translation programs to leave code, formulas and labels alone.
     document.querySelectorAll("code, math, svg, .symbol, .path").forEach(part => part.setAttribute("translate", "no"));
 
-    // The scripts that only some pages need, each with a selector for what needs it. They are run
-    // in this order.
+    // The scripts that only some pages need. Each has a selector for the elements that need it.
+    // They are run in this order.
     const SCRIPTS = {
         wasm: "[data-live], .woken, [data-check], [data-places]", handle: "figure:is([data-live], .woken)",
         own_scene: "figure:is([data-live=own_scene], [data-preview=own_scene].woken)",

@@ -14,8 +14,8 @@
     const address = URL.createObjectURL(new Blob([source], { type: "text/javascript" }));
     book.trustAddress(address);
 
-    // Stands for the name of the picture in a form for any picture. The name of the reader's file says
-    // which it should be.
+    // The value of `data-check` in a form that accepts any picture. There, the name of the reader's
+    // file says which picture it should be.
     const ANY_PICTURE = "*";
 
     const LABELS = ["Yours", "Ours", "The difference: orange where yours is brighter, blue where it's darker"];
@@ -23,7 +23,8 @@
     // Makes elements for the lines of a reply and for its pictures, which are placed side by side.
     /** @param {CheckReply} reply */
     function makeReport({ lines: [headline, ...details], size, pixels }) {
-        // In a listed mistake, the right lines have a minus, and what was written instead a plus.
+        // In a listed mistake, the right lines start with a minus, and the lines that were written
+        // instead with a plus.
         const parts = details.map((line, k) => {
             const text = k + 1 < details.length ? `${line}\n` : line;
             if (line.startsWith("  - ")) return book.make("del", {}, text);
@@ -40,7 +41,8 @@
         return [report, book.make("span", { class: "panels" }, ...panels)];
     }
 
-    // Makes a form check what is chosen in it. Returns a function that checks what is dropped.
+    // Makes a form check the file that is chosen in it. Returns a function that checks dropped
+    // files.
     /** @param {HTMLFormElement} form @returns {(files: FileList) => void} */
     function activate(form) {
         const input = form.querySelector("input"), reset = form.querySelector("button"), output = form.querySelector("output");
@@ -104,15 +106,15 @@
     const forms = document.querySelectorAll("form[data-check]");
     const droppers = new Map([...forms].map(form => [form, activate(form)]));
 
-    // Returns how far above or below a form a point is. It is 0 at the height of the form.
+    // Returns the vertical distance from a point to a form: 0 if the point is beside the form.
     /** @param {HTMLFormElement} form @param {number} y */
     function findDistance(form, y) {
         const { top, bottom } = form.getBoundingClientRect();
         return Math.max(top - y, y - bottom, 0);
     }
 
-    // A file that is dropped beside a form goes to the nearest one. Otherwise the browser would open
-    // it in place of the page.
+    // A file that is dropped beside a form goes to the nearest one. Otherwise the browser would
+    // open it in place of the page.
     addEventListener("dragover", event => event.preventDefault());
     addEventListener("drop", event => {
         event.preventDefault();

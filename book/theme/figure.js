@@ -1,12 +1,13 @@
 "use strict";
 
-// Interactive figures. Gestures become requests to the module, which is the code of the five crates, and
-// its replies are put in place. Nothing about rays is computed here.
+// Interactive figures. Gestures become requests to the module, which contains the code of the five
+// crates, and its replies are shown on the page. Nothing about rays is computed here.
 {
     // While something moves, a picture may take FRAME milliseconds. If it takes longer, it is drawn
     // with fewer columns, and with all of them once nothing has moved for REST milliseconds.
     const FRAME = 60, REST = 150;
-    // Milliseconds that the picture of the cover may take with all the columns that are printed.
+    // The cover's picture may take this many milliseconds at rest with as many columns as the
+    // printed one. If it takes longer, it is drawn with fewer.
     const LONGEST_REST_FRAME = 300;
 
     // An address that ends in this and in a pixel's column and row chooses that pixel.
@@ -25,16 +26,17 @@
             this.fault = fault;
             this.isPreview = root.matches("[data-preview]");
             this.name = root.dataset.live ?? root.dataset.preview;
-            // What is called each time a reply, or the controls, have been shown.
+            // The first are called after each reply is shown, the others after the controls are.
             /** @type {(() => void)[]} */
             this.showCallbacks = [];
             /** @type {(() => void)[]} */
             this.controlsCallbacks = [];
-            // The pixel at which the probe was shown last, as an address has it, such as "470,120".
-            // It's null until the probe has been shown.
+            // The pixel at which the probe was shown last, in the form used in addresses, such as
+            // "470,120". It's null until the probe has been shown.
             /** @type {string | null} */
             this.pixel = null;
-            // Whether the next pixel counts as the reader's choice even if it's the same as the last.
+            // Whether the next pixel counts as the reader's choice even if it's the same as the
+            // last.
             this.isPixelChosenAgain = false;
             /** @type {FigureAbout} */
             this.about = book.ask(module, { request: "about", figure: this.name });
@@ -62,8 +64,8 @@
             }
         }
 
-        // Adds the word "drag" beside a handle, which stays until the figure is touched. It goes to a
-        // side where it covers no label and no other handle, if there is one.
+        // Adds the word "drag" beside a handle, until the figure is touched. If possible, the word
+        // goes to a side where it covers no label and no other handle.
         /** @param {HTMLElement} handle */
         addCue(handle) {
             const cue = book.make("span", { "aria-hidden": true }, "drag");
@@ -318,8 +320,8 @@
             book.writeHTML(() => { this.companion.querySelector("g").innerHTML = drawing; });
         }
 
-        // Fills in the readouts. One that doesn't exist at these values is left empty, and the text
-        // about it is hidden.
+        // Fills in the readouts. If a readout doesn't exist at these values, it is left empty, and
+        // the text about it is hidden.
         /** @param {FigureReply} reply */
         showReadouts({ readouts, program }) {
             /** @type {(key: string) => string} */
@@ -350,8 +352,8 @@
             window.CSS.highlights?.set("changed", new Highlight(...ranges));
         }
 
-        // The line below the picture: what the ray of the probe's pixel meets, and its colour. The hint is
-        // there until a pixel is chosen.
+        // Shows, in the line below the picture, what the ray through the probe's pixel meets, and
+        // the pixel's colour. The line contains the hint until a pixel is chosen.
         /** @param {Record<string, string>} readouts */
         showPixel({ i, j, object, seen, bytes }) {
             this.probe.element.setAttribute("aria-valuetext", `column ${i}, row ${j}: ${seen}, colour ${bytes}`);
@@ -369,8 +371,8 @@
             if (isChosen) this.followPixel();
         }
 
-        // Makes what leads to the chosen pixel: a button that copies a link to it, and in a preview
-        // also a link to the panel on the same page.
+        // Makes the links to the chosen pixel: a button that copies one and, in a preview, also one
+        // to the panel on the same page.
         makeLinks() {
             if (!this.panel) return [];
             this.copyLink ??= book.make("button", { type: "button", class: "copy" }, "Copy link");
@@ -481,7 +483,8 @@
         if (press) output.dispatchEvent(new PointerEvent(press.type, press));
     }
 
-    // A link that names a pixel, such as #pixel=470,120. Returns the picture with a probe, and the pixel.
+    // Parses an address that names a pixel, such as #pixel=470,120. Returns the figure whose probe
+    // can show the pixel, and the pixel's column and row, or null.
     function findPixelOfAddress() {
         if (!location.hash.startsWith(PIXEL)) return null;
         const [, i, j] = location.hash.slice(PIXEL.length).match(/^(\d+)(?:,|%2C)(\d+)$/i) ?? [];
@@ -490,8 +493,8 @@
         return root && { root, i: Number(i), j: Number(j) };
     }
 
-    // Moves the probe to the pixel of the address, once its picture is interactive, wherever the reader has
-    // gone meanwhile.
+    // Moves the probe to the pixel in the address, if its picture is interactive by now. This
+    // doesn't scroll to the picture, because the reader may have gone elsewhere meanwhile.
     function movePixelOfAddress() {
         const { root, i, j } = findPixelOfAddress() || {};
         const figure = figures.get(root);

@@ -7,8 +7,8 @@
         ArrowLeft: ["horizontal", -1], ArrowRight: ["horizontal", 1], ArrowDown: ["vertical", -1], ArrowUp: ["vertical", 1],
     };
 
-    // A slider that follows the pointer, a finger and the arrow keys. `index` is its index in the
-    // list of handles.
+    // A handle is a slider that follows the pointer, a finger and the arrow keys. `index` is its
+    // index in the list of handles.
     book.Handle = class {
         /** @param {InteractiveFigure} figure @param {HandleAbout} about @param {number} index */
         constructor(figure, about, index) {
@@ -20,8 +20,8 @@
             this.object = figure.about.colours ? about.label : undefined;
             /** @type {[number, number] | null} */
             this.position = null;
-            // From the pointer to the handle, so that the handle doesn't jump to the pointer when a
-            // drag begins.
+            // The vector from the pointer to the handle. It is kept during a drag, so that the
+            // handle doesn't jump to the pointer.
             this.offset = [0, 0];
             this.element = book.make("span", {
                 class: `handle handle-${about.mark}`, role: "slider", tabindex: 0, "aria-label": about.label, title: about.label,

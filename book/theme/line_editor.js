@@ -1,9 +1,9 @@
 "use strict";
 
-// Lines of the listings that the reader edits. Pressing one, or a key on it, selects it, and a
+// Lines in the listings that the reader edits. A click or a key press on a line selects it, and a
 // panel below the listing shows what it draws: the module `expressions` contains the five steps,
-// and puts the reader's text in those places. One line at a time is selected; the others keep their
-// text.
+// and draws with the reader's text in place of the book's. One line at a time is selected; the
+// others keep their text.
 {
     const SMALL = 320, LARGE = 640; // Columns while the reader types, and at rest.
     const REST = 300; // Milliseconds after the last key.
@@ -18,7 +18,7 @@
     /** @type {UndoHistory<Record<string, string>>} */
     const states = new book.History({});
     let restTimer = 0;
-    // What is wrong with the link that led here.
+    // What is wrong with the link that the reader followed, if anything.
     let linkFault = "";
     // What the last undo did, until something is typed.
     let undone = "";
@@ -96,7 +96,7 @@
         return lines.filter(line => !isBook(line));
     };
 
-    // Keeps the book's text of a line, and its colours.
+    // Stores the book's text of a line, and its colours, so that they can be restored.
     /** @param {EditedLine} line */
     function keepBook(line) {
         line.dataset.book ??= line.textContent;
@@ -164,7 +164,8 @@
         history.replaceState(null, "", hash.size ? `#${hash}` : location.pathname + location.search);
     }
 
-    // Shows what was written this many edits later, or earlier, and selects the line that differs.
+    // Shows the state that is this many edits later (or earlier, if the number is negative), and
+    // selects the line that differs.
     /** @param {number} edits */
     function show(edits) {
         record();
@@ -180,7 +181,7 @@
         getSelection().collapseToEnd();
     }
 
-    // Cancels what was to be drawn later, and removes the mark from the line.
+    // Cancels the large picture that was to be drawn at rest, and removes the mark from the line.
     function clearLine() {
         clearTimeout(restTimer);
         mark();

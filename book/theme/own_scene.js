@@ -2,8 +2,8 @@
 
 // A scene of the reader's own: its tools, its gestures, and its address.
 {
-    // The columns of a picture that a reader downloads. It is drawn with twice as many and then
-    // scaled down, which smooths its edges.
+    // The number of columns in a picture that a reader downloads. It is drawn with twice as many
+    // and then scaled down, which smooths its edges.
     const KEPT_COLUMNS = 1920;
 
     // An address that ends in this and in the values of a scene opens that scene.
@@ -49,7 +49,8 @@
     /** @param {InteractiveFigure} figure @param {[number, number]} position @returns {string | null} */
     const pickObject = ({ module, name, values }, position) => book.ask(module, { request: "pick", figure: name, values, position }).object;
 
-    // The link below a preview leads to its scene. Once the scene has changed, there's a Reset, too.
+    // The link below a preview leads to its scene. Once the scene has changed, there's a Reset,
+    // too.
     /** @param {InteractiveFigure} figure */
     function followLink(figure) {
         const { values } = figure;

@@ -16,7 +16,7 @@
     const WORD = /[\p{L}\p{N}_]+/gu;
     /** @type {(text: string) => string[]} */
     const findWords = text => text.match(WORD) ?? [];
-    // Words that say nothing about the subject of a query.
+    // Stop words: they say nothing about the subject of a query.
     const SMALL_WORDS = new Set(findWords(`a about again all also always am an and any anything are aren around as at be been
         but by came can come comes completely could did didn do does doesn don entire even ever every everything for from gave
         get gets give gives go goes got had happen happens has have how i if in instead into is isn it its just know like ll
@@ -31,8 +31,8 @@
 
     // The ending of a plural. The s of "is", "axis", "less" and "radius" isn't one.
     const PLURAL = /(?<=..[^isu])s$/;
-    // Endings that a word's other forms don't have. What precedes has four letters or more, and a vowel that isn't its
-    // last letter, so that "string", "ring" and "red" stay whole.
+    // The suffixes that are removed from a word to find its other forms. What is left must have at least four letters, and
+    // a vowel that isn't the last of them, so that "string", "ring" and "red" stay whole.
     const ENDING = /(?<=[aeiouy].*.)(?<=....)(ation|ate|ion|ive|ing|ed|er|ier|iness|ness|e|l?y)$/;
 
     // Returns a word in lower case, in the spelling that the search uses, and without the ending of
@@ -62,7 +62,7 @@
         return [...[word, ...parts].map(stem), findFamily(stem(word))];
     }
 
-    // The stemmed words of a text that say what it is about: all but the small ones, if there are any others.
+    // The stemmed words that say what a text is about: all except stop words, or all if there are only stop words.
     /** @param {string} text */
     function findSubjects(text) {
         const words = findWords(text), subjects = words.filter(word => !SMALL_WORDS.has(word.toLowerCase()));
@@ -78,9 +78,9 @@
     // tests/browser/search_queries.txt. One of them is quoted: its first result is wrong if the factor is left out, or if
     // the exponent is 1.
 
-    // What a word in a section's title counts, if one in its text counts 1. "lambert"
+    // The weight of a word in a section's title. A word in its text has the weight 1. "lambert"
     const TITLE_BOOST = 3;
-    // The same for a word in the phrases by which readers look for the section. "how do I make a sphere shinier"
+    // The weight of a word in the phrases by which readers look for the section. "how do I make a sphere shinier"
     const PHRASES_BOOST = 2;
     // The weight of the mistakes, if something is wrong with the reader's picture. "the light doesn't get weaker"
     const MISTAKES_WEIGHT = 3;
@@ -88,14 +88,14 @@
     const REPETITION_WEIGHT = 0.1;
     // The weight of the first section of the book. It falls from section to section, to 0.4 for the last. "Fn closure"
     const FIRST_SECTION_WEIGHT = 1.4;
-    // The power of the share of the query's words that a section has: with half of them, it counts an eighth.
+    // The exponent of the share of the query's words that a section has: a section with half of them counts an eighth.
     // "how to use the book in class"
     const SHARE_EXPONENT = 3;
     // What is added to 1 if the title and the phrases have all of the query's words. "ball in the back is drawn in front"
     const SHARE_IN_NAMES_BONUS = 3;
     // What is added to 1 if a whole name of the section makes up the whole query. "my colours are wrong"
     const WHOLE_NAME_BONUS = 99;
-    // The power of the name's share of the query, for a name that makes up only a part of it. "near plane"
+    // The exponent of the name's share of the query, for a name that makes up only a part of it. "near plane"
     const WHOLE_NAME_EXPONENT = 3;
     // The factor of a section that has the query letter by letter. "Option<f64>"
     const VERBATIM_FACTOR = 2;
@@ -171,8 +171,8 @@
         return weight * (FIRST_SECTION_WEIGHT - place / sections.length);
     }
 
-    // The terms of the index by which a stemmed word of a query is found. A word that the book doesn't have may have two
-    // letters swapped, be the beginning of one, or, if it is long, have one letter wrong.
+    // The terms in the index for a stemmed word of a query. If the book doesn't have the word, we try the word with two
+    // letters swapped, then words that begin with it and, if it is long, words that differ in one letter.
     /** @param {string} word */
     function findKnownTerms(word) {
         const terms = [word, findFamily(word)].filter(term => vocabulary.has(term));

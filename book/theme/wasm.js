@@ -28,7 +28,7 @@
         drop: name => { delete modules[name]; },
     };
 
-    // A worker gets the source text of the next three, so they must not use anything but each other.
+    // A worker runs a copy of the source text of the next three, so they may only use each other.
     book.Refusal = class extends Error {};
 
     book.startModule = async ({ module, mistakes }) => {
