@@ -108,7 +108,7 @@ test('the first page’s picture loads nothing until somebody is at it, then a b
   expect(files.filter(file => /figure|wasm|module|own_scene/.test(file))).toEqual([]);
   await move(250, 240);
   await figure.and(page.locator('[data-ready]')).waitFor({ timeout: 20_000 });
-  await page.evaluate(() => { performance.now = () => 0; }); // Whatever else the machine does.
+  await page.evaluate(() => { performance.now = () => 0; }); // Every drawing counts as fast, however busy the machine is.
   await page.mouse.down();
   await move(250, 190);
   await page.mouse.up();

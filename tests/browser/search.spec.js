@@ -3,8 +3,8 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { expect, open, test } from './fixtures.js';
 
-// [what a reader types, the right places]. A place is an address; `hint`, if the search should say
-// what to do about a message from the compiler; or `nothing`, if the book has nothing about it.
+// Pairs of a query and the right places for it. A place is an address, `hint` if the search should
+// say what to do about a message from the compiler, or `nothing` if the book has nothing about it.
 const queries = readFileSync(join(import.meta.dirname, 'search_queries.txt'), 'utf8').trim().split('\n')
   .map(line => line.split(' → ')).map(([query, places]) => [query, places.split(' or ')]);
 

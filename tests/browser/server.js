@@ -15,7 +15,7 @@ export const POLICY = [
   `style-src 'unsafe-inline'`,
   `img-src 'self'`,
   `font-src 'self'`,
-  // `check` runs in a worker, whose few lines of code are part of the page's own script.
+  // `check` runs in a worker. The worker's few lines of code are a string in the page's own script.
   `worker-src blob:`,
   // 404.html has a `<base>` if the book is published in a subfolder of a server.
   `base-uri 'self'`,
