@@ -46,9 +46,9 @@ const REFUSED: [&str; 18] = [
 #[test]
 fn programs_draw_the_locked_pictures() {
     for step in Step::NAMES {
-        let (folder, file) = (empty_folder(step), format!("{step}.png"));
+        let (folder, file) = (create_empty_folder(step), format!("{step}.png"));
         fs::write(folder.join(&file), "old").expect("a file");
-        let Output { status, stdout, stderr } = run(step, &folder, "");
+        let Output { status, stdout, stderr } = run_program(step, &folder, "");
         let text = String::from_utf8_lossy(&stdout);
         let is_line = text.starts_with(&format!("{file}: 640×360 pixels in "));
         assert!(status.success() && stderr.is_empty() && is_line && text.lines().count() == 1);
@@ -61,16 +61,16 @@ fn programs_draw_the_locked_pictures() {
 
 #[test]
 fn program_accepts_the_limits_of_its_options() {
-    let folder = empty_folder("limits");
+    let folder = create_empty_folder("limits");
     for arguments in ALLOWED {
-        let output = run("step01_rays", &folder, arguments);
+        let output = run_program("step01_rays", &folder, arguments);
         assert!(output.status.success(), "{arguments}: {output:?}");
     }
 }
 
 #[test]
 fn program_refuses_what_is_not_allowed_and_leaves_files_alone() {
-    let folder = empty_folder("refused");
+    let folder = create_empty_folder("refused");
     let old_files = ["step01_rays.png", "old.jpg", "unwritable.png"].map(|file| folder.join(file));
     old_files.iter().for_each(|file| fs::write(file, "old").expect("a file"));
     fs::create_dir(folder.join("folder.png")).expect("a folder");
@@ -78,7 +78,7 @@ fn program_refuses_what_is_not_allowed_and_leaves_files_alone() {
     // fails. Here, a folder is in the way.
     fs::create_dir(folder.join("unwritable.tmp")).expect("a folder");
     let texts = REFUSED.map(|arguments| {
-        let Output { status, stdout, stderr } = run("step01_rays", &folder, arguments);
+        let Output { status, stdout, stderr } = run_program("step01_rays", &folder, arguments);
         assert!(status.success() || stdout.is_empty(), "an error is on stdout: {arguments}");
         let text = String::from_utf8([stdout, stderr].concat()).expect("UTF-8");
         let code = status.code().unwrap_or(-1);
@@ -97,7 +97,7 @@ fn program_refuses_what_is_not_allowed_and_leaves_files_alone() {
 }
 
 /// Creates an empty folder for a test.
-fn empty_folder(test: &str) -> PathBuf {
+fn create_empty_folder(test: &str) -> PathBuf {
     let folder = target_folder().join("tests/programs").join(test);
     let _ = fs::remove_dir_all(&folder);
     fs::create_dir_all(&folder).expect("a folder in the target folder");
@@ -105,7 +105,7 @@ fn empty_folder(test: &str) -> PathBuf {
 }
 
 /// Runs a step's program in `folder`. Its arguments are separated by single spaces.
-fn run(step: &str, folder: &Path, arguments: &str) -> Output {
+fn run_program(step: &str, folder: &Path, arguments: &str) -> Output {
     static BUILD: Once = Once::new();
     BUILD.call_once(build_programs);
     let executable = target_folder().join("debug").join(step);

@@ -44,7 +44,7 @@ fn job_commands_without_rustup(job: &str) -> Vec<JobCommand> {
 
 /// Runs a bash command in `folder`, with these environment variables. Returns what it prints, or an
 /// error if it fails.
-fn run(folder: &Path, command: &str, variables: &[(&str, &str)]) -> Result<String> {
+fn run_bash(folder: &Path, command: &str, variables: &[(&str, &str)]) -> Result<String> {
     let manifest = format!("--manifest-path '{}'/", workspace().display());
     let lines = command.replace("--manifest-path course/", &manifest);
     let mut shell = folder_command(folder, &["bash", "-eo", "pipefail", "-c", &lines]);
@@ -73,8 +73,8 @@ fn create_repository(folder: &Path) -> Result<()> {
     fs::create_dir_all(folder)?;
     let course = workspace();
     let copy = "cp -R \"$COURSE\"/book/reader/. \"$COURSE\"/Cargo.lock .";
-    run(folder, copy, &[("COURSE", course.to_str().expect("UTF-8"))])?;
-    run(folder, &format!("git init --quiet && {COMMIT}"), &[])?;
+    run_bash(folder, copy, &[("COURSE", course.to_str().expect("UTF-8"))])?;
+    run_bash(folder, &format!("git init --quiet && {COMMIT}"), &[])?;
     Ok(())
 }
 
@@ -95,16 +95,16 @@ fn run_workflow(folder: &Path, required: &str) -> Result<String> {
     let (draw, grade) = (jobs.join("draw"), jobs.join("grade"));
     fs::create_dir_all(draw.join("course")).expect("a folder");
     fs::create_dir_all(grade.join("class/drawn")).expect("a folder");
-    run(&draw, "git clone --quiet ../../ada student", &[]).expect("a clone");
+    run_bash(&draw, "git clone --quiet ../../ada student", &[]).expect("a clone");
     // A copy, because students' programs may write into it.
     let course = workspace();
     let copy = "cp -R \"$COURSE\"/steps course";
-    run(&draw, copy, &[("COURSE", course.to_str().expect("UTF-8"))]).expect("a copy");
+    run_bash(&draw, copy, &[("COURSE", course.to_str().expect("UTF-8"))]).expect("a copy");
     let mut text = String::new();
     let mut steps = String::new();
     for command in job_commands_without_rustup("draw") {
-        text +=
-            &run(&draw, &command.lines, &[("STEPS", &steps)]).expect("the job \"draw\" succeeds");
+        text += &run_bash(&draw, &command.lines, &[("STEPS", &steps)])
+            .expect("the job \"draw\" succeeds");
         let output = fs::read_to_string(draw.join("output.txt")).expect("the output of a job");
         steps = output.trim().strip_prefix("steps=").expect("the steps").to_owned();
     }
@@ -118,7 +118,7 @@ fn run_workflow(folder: &Path, required: &str) -> Result<String> {
     for command in job_commands_without_rustup("grade") {
         if command.is_for_failure == result.is_err() {
             let variables = [("STEPS", &*steps), ("REQUIRE", required)];
-            match run(&grade, &command.lines, &variables) {
+            match run_bash(&grade, &command.lines, &variables) {
                 Ok(printed) => text += &printed,
                 Err(error) => result = Err(error),
             }
@@ -132,7 +132,7 @@ fn run_workflow(folder: &Path, required: &str) -> Result<String> {
 fn test_renamed_folder(folder: &Path) -> Result<()> {
     let renamed = folder.with_file_name("renamed");
     fs::rename(folder, &renamed)?;
-    run(&renamed, "cargo test -p locked", &[])?;
+    run_bash(&renamed, "cargo test -p locked", &[])?;
     ensure!(!folder.exists(), "testing the renamed folder creates the old one again");
     Ok(fs::rename(renamed, folder)?)
 }
@@ -158,15 +158,15 @@ fn workflow_passes_only_if_a_program_draws_the_picture() -> Result<()> {
     let text = run_workflow(&folder, "step01_rays,step02_sphere")?;
     assert!(text.contains("No step is there yet"), "{text}");
     type_first_step(&folder)?;
-    run(&folder, "INSTA_UPDATE=always cargo test -p locked", &[])?;
-    run(&folder, COMMIT, &[])?;
+    run_bash(&folder, "INSTA_UPDATE=always cargo test -p locked", &[])?;
+    run_bash(&folder, COMMIT, &[])?;
     test_renamed_folder(&folder)?;
     let text = run_workflow(&folder, "step01_rays")?;
     assert!(text.contains("::Points 1/1\n"), "{text}");
     assert!(text.contains("test result: ok"), "{text}");
     assert!(run_workflow(&folder, "")?.contains("Nothing is required"));
     assert!(run_workflow(&folder, "step01_rays, step02_sphere").is_err());
-    run(&class.join("jobs/draw/student"), "cargo test -p locked", &[])?;
+    run_bash(&class.join("jobs/draw/student"), "cargo test -p locked", &[])?;
     // In one of these attacks, the program draws a wrong picture, and overwrites the locked one in
     // the course's folder with it. In the others, no program draws the right picture, but it is
     // there all the same: committed, copied by a Cargo setting, put into a folder with the same
@@ -187,7 +187,7 @@ fn workflow_passes_only_if_a_program_draws_the_picture() -> Result<()> {
         "echo 'half a line' > steps/step01_rays/src/ray.rs",
     ];
     for attack in attacks {
-        run(&folder, &format!("{attack}\ngit add --force *.png && {COMMIT}"), &[])?;
+        run_bash(&folder, &format!("{attack}\ngit add --force *.png && {COMMIT}"), &[])?;
         assert!(run_workflow(&folder, "step01_rays").is_err(), "{attack}");
     }
     Ok(fs::remove_dir_all(class)?)

@@ -62,7 +62,7 @@ impl ReaderWorkspace {
     /// Replaces `steps/*` in the manifest with the names of the members. Cargo expands that pattern
     /// together with the workspace's own path, so it would find no members if the path contained
     /// square brackets.
-    fn list_members(&self) -> Result<()> {
+    fn list_members_in_manifest(&self) -> Result<()> {
         let mut members = vec![];
         for entry in fs::read_dir(self.folder.join("steps"))? {
             let entry = entry?;
@@ -79,7 +79,7 @@ impl ReaderWorkspace {
     /// Runs a command, given as its words, with this optimisation level. Returns its exit code and
     /// what it prints.
     pub fn run(&self, words: &[&str], opt_level: &str) -> Result<(Option<i32>, String)> {
-        self.list_members()?;
+        self.list_members_in_manifest()?;
         let mut command = folder_command(&self.folder, words);
         command.env("CARGO_TARGET_DIR", "target").env("CARGO_PROFILE_DEV_OPT_LEVEL", opt_level);
         let Output { status, stdout, stderr } = command.output()?;

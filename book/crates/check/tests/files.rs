@@ -10,7 +10,7 @@ use std::slice;
 
 /// Returns a copy of a PNG file whose header claims this size, whatever size the picture really
 /// has.
-fn with_size(png: &[u8], columns: u32, rows: u32) -> Vec<u8> {
+fn with_size_in_header(png: &[u8], columns: u32, rows: u32) -> Vec<u8> {
     let size = [columns, rows].map(u32::to_be_bytes).concat();
     let header = [&png[12..16], &size, &png[24..29]].concat();
     let sum = crc32fast::hash(&header).to_be_bytes();
@@ -18,7 +18,7 @@ fn with_size(png: &[u8], columns: u32, rows: u32) -> Vec<u8> {
 }
 
 /// Returns a PNG file of 640×360 pixels with a palette, 4 bits per pixel, all black.
-fn with_palette() -> Vec<u8> {
+fn png_with_palette() -> Vec<u8> {
     let mut file = vec![];
     let mut encoder = png::Encoder::new(&mut file, 640, 360);
     encoder.set_color(png::ColorType::Indexed);
@@ -31,7 +31,7 @@ fn with_palette() -> Vec<u8> {
 }
 
 /// Returns a chunk of a PNG file.
-fn chunk(kind: &[u8; 4], contents: &[u8]) -> Vec<u8> {
+fn png_chunk(kind: &[u8; 4], contents: &[u8]) -> Vec<u8> {
     let kind_and_contents = [kind, contents].concat();
     let length = (contents.len() as u32).to_be_bytes();
     let sum = crc32fast::hash(&kind_and_contents).to_be_bytes();
@@ -91,10 +91,10 @@ fn other_formats_and_damaged_files_are_as_locked() {
         ("read as text", &as_text),
         ("half", &png[..png.len() / 2]),
         ("one byte changed", &wrong_sum),
-        ("200000 columns", &with_size(&png, 200_000, 200_000)),
-        ("a row more than the limit", &with_size(&png, 8192, 4609)),
-        ("the most pixels, with 16 bits", &with_size(&deep, 8192, 4608)),
-        ("no columns", &with_size(&png, 0, 0)),
+        ("200000 columns", &with_size_in_header(&png, 200_000, 200_000)),
+        ("a row more than the limit", &with_size_in_header(&png, 8192, 4609)),
+        ("the most pixels, with 16 bits", &with_size_in_header(&deep, 8192, 4608)),
+        ("no columns", &with_size_in_header(&png, 0, 0)),
         ("more bytes behind it", &[&png[..], b"more"].concat()),
     ];
     let answers = files.map(|(title, file)| titled_answer(title, file));
@@ -108,18 +108,18 @@ fn other_kinds_of_png_are_as_locked() {
     invisible_pixel[(9, 9)][3] = 0;
     let still = encode(ours.clone());
     let with_chunks = |chunks: &[Vec<u8>]| [&still[..33], &chunks.concat(), &still[33..]].concat();
-    let animation = chunk(b"acTL", &[0, 0, 0, 2, 0, 0, 0, 0]);
+    let animation = png_chunk(b"acTL", &[0, 0, 0, 2, 0, 0, 0, 0]);
     // A frame's chunk begins with its sequence number, 0, its size, 640×360, and its offset,
     // (0, 0). The delay and the drawing mode follow.
     let frame = [0, 640, 360, 0, 0].map(u32::to_be_bytes).concat();
-    let first_frame = chunk(b"fcTL", &[&frame[..], &[0, 1, 0, 10, 0, 0]].concat());
+    let first_frame = png_chunk(b"fcTL", &[&frame[..], &[0, 1, 0, 10, 0, 0]].concat());
     let one_grey = DynamicImage::new_luma16(1, 1);
     let answers = [
         ("animated, without the still image", with_chunks(slice::from_ref(&animation))),
         ("animated, from the still image on", with_chunks(&[animation, first_frame])),
         ("grey", encode(ours.to_luma8())),
         ("16 bits", encode(ours.to_rgb16())),
-        ("palette", with_palette()),
+        ("palette", png_with_palette()),
         ("one pixel is invisible", encode(invisible_pixel)),
         ("invisible and wrong", encode(DynamicImage::new_rgba8(640, 360))),
         ("1×1, grey and 16 bits", encode(one_grey)),

@@ -12,7 +12,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn hash_is_that_of_its_authors_tests() {
+    fn hash_matches_its_authors_test_vectors() {
         // From the test vectors at http://www.isthe.com/chongo/tech/comp/fnv/.
         assert_eq!(fnv_1a("".bytes()), 0xcbf2_9ce4_8422_2325);
         assert_eq!(fnv_1a("foobar".bytes()), 0x8594_4171_f739_67e8);

@@ -15,7 +15,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn controls_and_changes_of_direction_are_obeyed() {
+    fn controls_and_direction_marks_are_terminal_controls() {
         for c in ['\u{1b}', '\n', '\u{9b}', '\u{202e}', '\u{2066}'] {
             assert!(is_terminal_control(c), "{c:?}");
         }

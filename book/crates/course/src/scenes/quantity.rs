@@ -438,7 +438,7 @@ mod tests {
     }
 
     #[test]
-    fn colour_of_an_object_reflects_both_kinds_of_light() {
+    fn colour_of_an_object_is_its_ambient_and_its_diffuse_reflectance() {
         let mut own = OwnScene::new(scene());
         let red = all_scalars().find(|scalar| matches!(scalar.property, Property::ObjectColour));
         red.expect("a channel").set(&mut own, 0, 0.125);

@@ -292,7 +292,7 @@ misses: bool = d < 0.0
     }
 
     #[test]
-    fn places_are_as_their_files_have_them() {
+    fn listed_places_agree_with_the_source_files() {
         for place in all_listed_places() {
             let path = crate::workspace().join("steps").join(place.file);
             let text = std::fs::read_to_string(path).expect("a file");
