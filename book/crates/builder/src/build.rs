@@ -39,7 +39,7 @@ pub fn build(workspace: &Path, folder: &Path) -> Result<Site> {
 /// which could lead out of the folder.
 fn open_lock(path: &Path) -> Result<File> {
     let is_other = fs::symlink_metadata(path).is_ok_and(|metadata| !metadata.is_file());
-    ensure!(!is_other, "{} is not a file; remove it", path.display());
+    ensure!(!is_other, "{} isn't a regular file; remove it", path.display());
     let lock = File::options().write(true).create(true).truncate(false).open(path);
     lock.with_context(|| format!("{} can't be opened", path.display()))
 }
@@ -143,8 +143,8 @@ mod tests {
         let _ = fs::remove_dir_all(&parent);
         let (draft, book) = (parent.join("book.draft"), parent.join("book"));
         for (folder, text) in [(&draft, "new"), (&book, "old")] {
-            fs::create_dir_all(folder).expect("a folder");
-            fs::write(folder.join("index.html"), text).expect("a file");
+            fs::create_dir_all(folder).expect("the folder can be created");
+            fs::write(folder.join("index.html"), text).expect("the file can be written");
         }
         (parent, draft, book)
     }
@@ -157,60 +157,61 @@ mod tests {
     fn part_title_is_a_single_list_item() {
         let html =
             "<ol><li class=\"chapter-item expanded \"><li class=\"part-title\">a</li></li></ol>";
-        let closed = unwrap_part_titles(html).expect("closed");
+        let closed = unwrap_part_titles(html).expect("the part title is closed");
         assert_eq!(closed, "<ol><li class=\"part-title\">a</li></ol>");
     }
 
     #[test]
     fn draft_takes_the_place_of_the_old_book() {
         let (parent, draft, book) = create_draft_and_old_book("replace_folder");
-        replace_folder(&draft, &book).expect("replaced");
+        replace_folder(&draft, &book).expect("the book can be replaced");
         assert_eq!(read_index(&book), "new");
-        assert_eq!(fs::read_dir(&parent).expect("a folder").count(), 1);
-        fs::remove_dir_all(parent).expect("removed");
+        assert_eq!(fs::read_dir(&parent).expect("the folder can be read").count(), 1);
+        fs::remove_dir_all(parent).expect("the folder can be removed");
     }
 
     #[test]
     fn old_book_is_restored_if_there_is_no_draft() {
         let (parent, draft, book) = create_draft_and_old_book("no_draft");
-        fs::remove_dir_all(&draft).expect("removed");
+        fs::remove_dir_all(&draft).expect("the draft can be removed");
         assert!(replace_folder(&draft, &book).is_err());
         assert_eq!(read_index(&book), "old");
-        fs::remove_dir_all(parent).expect("removed");
+        fs::remove_dir_all(parent).expect("the folder can be removed");
     }
 
     #[test]
     fn book_that_a_killed_build_moved_aside_is_restored() {
         let (parent, _, book) = create_draft_and_old_book("put_aside");
-        fs::rename(&book, book.with_extension("old1")).expect("put aside");
-        restore_folder(&book).expect("put back");
+        fs::rename(&book, book.with_extension("old1")).expect("the book can be moved aside");
+        restore_folder(&book).expect("the book can be moved back");
         assert_eq!(read_index(&book), "old");
         // With the book in its place, old versions are removed.
-        fs::create_dir_all(book.with_extension("old2")).expect("a folder");
-        restore_folder(&book).expect("removed");
+        fs::create_dir_all(book.with_extension("old2")).expect("the folder can be created");
+        restore_folder(&book).expect("old versions can be removed");
         assert!(!book.with_extension("old2").exists());
         // The old book is moved to a path that isn't taken.
-        fs::create_dir_all(book.with_extension("old1")).expect("a folder");
-        replace_folder(&parent.join("book.draft"), &book).expect("replaced");
+        fs::create_dir_all(book.with_extension("old1")).expect("the folder can be created");
+        replace_folder(&parent.join("book.draft"), &book).expect("the book can be replaced");
         assert_eq!(read_index(&book), "new");
-        fs::remove_dir_all(parent).expect("removed");
+        fs::remove_dir_all(parent).expect("the folder can be removed");
     }
 
     #[test]
     fn lock_file_keeps_its_contents_and_may_not_be_a_link() {
         let (parent, _, book) = create_draft_and_old_book("lock");
         let lock = parent.join("book.lock");
-        fs::write(&lock, "text").expect("a file");
-        open_lock(&lock).expect("a lock");
-        assert_eq!(fs::read_to_string(&lock).expect("text"), "text");
+        fs::write(&lock, "text").expect("the file can be written");
+        open_lock(&lock).expect("the lock file can be opened");
+        assert_eq!(fs::read_to_string(&lock).expect("the lock file can be read"), "text");
         assert!(open_lock(&book).is_err());
         #[cfg(unix)]
         {
-            fs::remove_file(&lock).expect("removed");
-            std::os::unix::fs::symlink(book.join("index.html"), &lock).expect("a link");
+            fs::remove_file(&lock).expect("the lock file can be removed");
+            std::os::unix::fs::symlink(book.join("index.html"), &lock)
+                .expect("the link can be created");
             assert!(open_lock(&lock).is_err());
             assert_eq!(read_index(&book), "old");
         }
-        fs::remove_dir_all(parent).expect("removed");
+        fs::remove_dir_all(parent).expect("the folder can be removed");
     }
 }

@@ -73,14 +73,14 @@ mod tests {
 
     #[test]
     fn each_prompt_has_its_own_element() {
-        let html = console_markdown("yours", "$ a > b\n$ c").expect("a console");
+        let html = console_markdown("yours", "$ a > b\n$ c").expect("the fence words are valid");
         assert!(html.contains("<code><span>$ </span>a &gt; b\n<span>$ </span>c</code>"), "{html}");
     }
 
     #[test]
     fn only_commands_for_our_folder_have_a_caption() {
         for (words, has_caption) in [("ours", true), ("yours", false), ("yours,fails", false)] {
-            let html = console_markdown(words, "$ a").expect("a console");
+            let html = console_markdown(words, "$ a").expect("the fence words are valid");
             assert_eq!(html.contains("our folder</a></figcaption>"), has_caption, "{html}");
             assert_eq!(html.contains("figcaption"), has_caption, "{html}");
         }
@@ -88,7 +88,7 @@ mod tests {
 
     #[test]
     fn console_kind_is_kept_in_data_folder_and_unknown_words_are_an_error() {
-        let html = console_markdown("yours,fails", "$ a").expect("a console");
+        let html = console_markdown("yours,fails", "$ a").expect("the fence words are valid");
         assert!(html.contains("data-folder=\"yours fails\""), "{html}");
         assert_eq!(ConsoleKind::from_data_folder("yours fails"), Some(ConsoleKind::Fails));
         assert!(matches!(console_markdown("theirs", "$ a"), Err(ChapterError::ConsoleForm)));

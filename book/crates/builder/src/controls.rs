@@ -163,9 +163,9 @@ mod tests {
     use figures::find_figure;
 
     fn control_html(figure: &str, id: &str) -> String {
-        let figure = find_figure(figure).expect("a figure");
+        let figure = find_figure(figure).expect("the figure exists");
         let has_id = |parameter: &&Parameter| parameter.id.to_string() == id;
-        let parameter = figure.parameters.iter().find(has_id).expect("a parameter");
+        let parameter = figure.parameters.iter().find(has_id).expect("the parameter exists");
         Control { figure, parameter }.html()
     }
 
@@ -194,11 +194,11 @@ mod tests {
 
     #[test]
     fn exact_values_have_a_row_for_each_object() {
-        let html = controls_html(find_figure("three-cases").expect("a figure"));
+        let html = controls_html(find_figure("three-cases").expect("the figure exists"));
         assert_eq!(html.matches("<div class=\"row\">").count(), 3);
         assert!(html.contains("<span>the start of the left ray</span>"));
         // A parameter of the figure as a whole has a row of its own.
-        let html = controls_html(find_figure("frustum").expect("a figure"));
+        let html = controls_html(find_figure("frustum").expect("the figure exists"));
         for label in ["near plane", "far plane"] {
             assert!(html.contains(&format!("<div class=\"row\"><span>{label}</span>")), "{html}");
         }

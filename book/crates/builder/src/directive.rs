@@ -159,9 +159,12 @@ mod tests {
     #[test]
     fn directives_in_a_text_are_replaced() {
         let replace = |text| replace_directives(text, |directive| Ok(directive.words.to_owned()));
-        assert_eq!(replace("a {{#value b}}, {{#value c}}.").expect("a text"), "a b, c.");
+        assert_eq!(
+            replace("a {{#value b}}, {{#value c}}.").expect("both directives exist"),
+            "a b, c."
+        );
         assert!(replace("a {{#value b").is_err());
-        let error = replace("a {{#drawer b}}").expect_err("no directive");
+        let error = replace("a {{#drawer b}}").expect_err("there is no directive `drawer`");
         assert_eq!(error.to_string(), "there is no directive {{#drawer b}}");
     }
 }

@@ -31,16 +31,16 @@ pub enum ChapterError {
     MissingEnd(#[from] MissingEnd),
     #[error("there is no directive {0}")]
     UnknownDirective(String),
-    #[error("{0} can't stand here: most directives need a paragraph or a fence of their own")]
+    #[error("{0} isn't allowed here: most directives need a paragraph or a fence of their own")]
     MisplacedDirective(String),
 
     #[error("there is no value {0}")]
     UnknownValue(String),
     #[error("there is no figure {0}")]
     UnknownFigure(String),
-    #[error("nothing called {0:?} is interactive")]
+    #[error("there is no interactive figure {0}")]
     UnknownLive(String),
-    #[error("nothing called {0:?} writes Rust code")]
+    #[error("there is no editable scene {0}")]
     UnknownProgram(String),
     #[error("there is no step {0}")]
     UnknownStep(String),
@@ -61,7 +61,7 @@ pub enum ChapterError {
     PanelWithoutPicture(String),
     #[error("the picture {0} has no {{{{#pixel-panel {0}}}}} below it")]
     MissingPanel(&'static str),
-    #[error("rows are written {{{{#rows PICTURE COLUMN COLUMN …}}}}")]
+    #[error("rows have the form {{{{#rows PICTURE COLUMN COLUMN …}}}}")]
     RowsForm,
     #[error("the picture {0} has no rows")]
     NoRows(String),
@@ -71,7 +71,7 @@ pub enum ChapterError {
          no HTML around it"
     )]
     LoneDollar,
-    #[error("a lone $: a formula begins and ends with one")]
+    #[error("a lone $: a formula needs a $ at each end")]
     LoneDollarInWords,
     #[error("{0} can't be used in a formula")]
     DirectiveInFormula(String),
@@ -90,15 +90,15 @@ pub enum ChapterError {
     CodeNotIncluded,
     #[error("the file {path} can't be read")]
     UnreadableFile { path: String, source: io::Error },
-    #[error("a part of a file is written BEGIN..END, with the first words of two lines, not {0}")]
+    #[error("{0} isn't a part of a file: write BEGIN..END, the first words of two lines")]
     PartForm(String),
-    #[error("no line there begins with {0:?}")]
+    #[error("there is no such part of the file: no line begins with {0:?}")]
     UnknownLine(String),
-    #[error("a console is marked ours, yours, yours,refused or yours,fails")]
+    #[error("a console needs one of the marks `ours`, `yours`, `yours,refused` and `yours,fails`")]
     ConsoleForm,
 
     #[error(
-        "a note follows the block that it stands beside: a paragraph, a list, a table, a listing, \
+        "a note has to follow the block that it belongs to: a paragraph, a list, a table, a listing, \
          a picture or a figure"
     )]
     NoteWithoutBlock,
@@ -109,7 +109,7 @@ pub enum ChapterError {
     MissingEndOfBox,
     #[error("{{{{#end}}}} has no box to end")]
     EndWithoutBox,
-    #[error("a problem begins with {{{{#problem NUMBER ANSWER}}}}, two numbers")]
+    #[error("a problem begins with {{{{#problem NUMBER ANSWER}}}}, where both words are numbers")]
     ProblemForm,
     #[error("a problem can't be inside a box or another problem")]
     ProblemInBox,
@@ -152,7 +152,7 @@ mod tests {
     #[test]
     fn faults_are_listed_and_an_empty_list_is_ok() {
         assert!(Faults::ensure_none([""; 0]).is_ok());
-        let error = Faults::ensure_none(["a", "b"]).expect_err("two faults");
+        let error = Faults::ensure_none(["a", "b"]).expect_err("there are two faults");
         assert_eq!(error.to_string(), "a\nb\nThe book was not built.");
     }
 }

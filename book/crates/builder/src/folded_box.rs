@@ -51,7 +51,7 @@ mod tests {
     #[test]
     fn box_heading_begins_with_the_label_of_its_kind() {
         let html = opening_html(BoxKind::Predict, "Why *is* it?", &Values::default());
-        let html = html.expect("a heading");
+        let html = html.expect("the summary is valid");
         assert!(html.starts_with("<details class=\"predict\"><summary>"), "{html}");
         let heading = "<span class=\"kind\">Predict</span> <span>Why <em>is</em> it?</span>";
         assert!(html.contains(heading), "{html}");

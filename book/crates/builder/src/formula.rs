@@ -83,7 +83,8 @@ mod tests {
 
     #[test]
     fn subscripts_of_x_and_y_are_level() {
-        let html = formula_html("(x_0, y_0)", false, &Values::default()).expect("a formula");
+        let html =
+            formula_html("(x_0, y_0)", false, &Values::default()).expect("the formula is valid");
         assert!(html.contains("<msub><mi>x</mi><mn>0</mn></msub>"), "{html}");
         let aligned = "<msub><mpadded depth=\"0\"><mi>y</mi></mpadded><mn>0</mn></msub>";
         assert!(html.contains(aligned), "{html}");

@@ -38,13 +38,15 @@ mod tests {
 
     #[test]
     fn stylesheet_replaces_its_link() {
-        let html = inline("<link rel=\"stylesheet\" href=\"css/a.css\">text").expect("a page");
+        let html = inline("<link rel=\"stylesheet\" href=\"css/a.css\">text")
+            .expect("the stylesheet exists");
         assert_eq!(html, "<style>\na { src: url(\"css/b.woff2\"); }\n</style>text");
     }
 
     #[test]
     fn link_to_a_missing_stylesheet_is_an_error() {
-        let error = inline("<link rel=\"stylesheet\" href=\"b.css\">").expect_err("no file");
+        let error = inline("<link rel=\"stylesheet\" href=\"b.css\">")
+            .expect_err("there is no such stylesheet");
         assert_eq!(error.to_string(), "there is no b.css");
     }
 }

@@ -60,11 +60,17 @@ mod tests {
     #[test]
     fn inline_html_has_no_paragraph_tags() {
         let html = |markdown| inline_html(markdown, &Values::default());
-        assert_eq!(html("It's *one*\nline").expect("HTML"), "It’s <em>one</em> line");
-        assert!(html("$t$").expect("HTML").starts_with("<math>"));
-        assert_eq!(html("{{#value step02_sphere:300,150:b0}}").expect("HTML"), "−10");
+        assert_eq!(
+            html("It's *one*\nline").expect("the Markdown is valid"),
+            "It’s <em>one</em> line"
+        );
+        assert!(html("$t$").expect("the Markdown is valid").starts_with("<math>"));
+        assert_eq!(
+            html("{{#value step02_sphere:300,150:b0}}").expect("the Markdown is valid"),
+            "−10"
+        );
         assert!(matches!(html("1 $"), Err(ChapterError::LoneDollarInWords)));
-        assert_eq!(html("`$name`").expect("HTML"), "<code>$name</code>");
+        assert_eq!(html("`$name`").expect("the Markdown is valid"), "<code>$name</code>");
     }
 
     #[test]

@@ -60,13 +60,13 @@ pub struct NestingFault {
 /// Everything that can be wrong with a tag.
 #[derive(Debug, Error, PartialEq)]
 enum NestingError {
-    #[error("</{end}> stands inside of <{open}>, which isn't closed")]
+    #[error("</{end}> is inside <{open}>, which isn't closed")]
     Unclosed { end: String, open: String },
     #[error("</{0}> closes nothing")]
     ClosesNothing(String),
     #[error("<{0}> is never closed")]
     NeverClosed(String),
-    #[error("<{inner}> can't stand inside of <{outer}>")]
+    #[error("<{inner}> isn't allowed inside <{outer}>")]
     Misplaced { inner: String, outer: String },
     #[error("{0}")]
     Syntax(String),
@@ -148,11 +148,11 @@ mod tests {
     #[test]
     fn misplaced_tags_are_found_with_their_lines() {
         for (html, error) in [
-            ("<ul><li>\n<li>a</li></li></ul>", ["2: <li> can't stand inside of <li>"].as_slice()),
-            ("<p>\n<b>a</p>", &["2: </p> stands inside of <b>, which isn't closed"]),
+            ("<ul><li>\n<li>a</li></li></ul>", ["2: <li> isn't allowed inside <li>"].as_slice()),
+            ("<p>\n<b>a</p>", &["2: </p> is inside <b>, which isn't closed"]),
             ("<p>a</p></p>", &["1: </p> closes nothing"]),
             ("<div>", &["1: <div> is never closed"]),
-            ("<span>\n<div></div></span>", &["2: <div> can't stand inside of <span>"]),
+            ("<span>\n<div></div></span>", &["2: <div> isn't allowed inside <span>"]),
         ] {
             assert_eq!(list_errors(&format!("<!DOCTYPE html>{html}")), error, "{html}");
         }

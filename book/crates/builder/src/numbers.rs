@@ -74,10 +74,10 @@ mod tests {
     fn negative_value_has_a_hyphen_in_code_and_formulas() {
         let values = Values::default();
         let b = "{{#value step02_sphere:300,150:b0}}";
-        assert_eq!(fill_in_html(b, &values).expect("a number"), "−10");
-        assert_eq!(fill_in_code(b, &values).expect("a number"), "-10");
+        assert_eq!(fill_in_html(b, &values).expect("the value exists"), "−10");
+        assert_eq!(fill_in_code(b, &values).expect("the value exists"), "-10");
         let unchanged = |latex: &str| Ok(latex.to_owned());
-        assert_eq!(fill_in_formula(b, &values, unchanged).expect("a number"), "-10");
+        assert_eq!(fill_in_formula(b, &values, unchanged).expect("the value exists"), "-10");
     }
 
     #[test]
@@ -85,7 +85,8 @@ mod tests {
         let latex = "{{#number row:hRes}} {{#number row:D}} {{#number row:hRes}}";
         let to_mathml =
             |latex: &str| Ok(latex.replace("\\text{", "<mtext>").replace('}', "</mtext>"));
-        let filled = fill_in_formula(latex, &Values::default(), to_mathml).expect("a formula");
+        let filled =
+            fill_in_formula(latex, &Values::default(), to_mathml).expect("the numbers exist");
         assert_eq!(
             filled,
             "<mn data-number=\"row:hRes\">7</mn> <mn data-number=\"row:D\">0.1925</mn> \
@@ -101,7 +102,8 @@ mod tests {
 
     #[test]
     fn live_number_in_code_is_an_error() {
-        let error = fill_in_code("{{#number row:D}}", &Values::default()).expect_err("an error");
+        let error = fill_in_code("{{#number row:D}}", &Values::default())
+            .expect_err("code can't contain live numbers");
         assert!(matches!(error, ChapterError::NumberInCode(_)));
     }
 }

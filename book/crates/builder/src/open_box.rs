@@ -201,8 +201,8 @@ mod tests {
         for (has_notes, wrappers) in [(true, 0), (false, 1)] {
             let mut boxes = Boxes::default();
             let opening = boxes.await_panel("step02_sphere", 0, has_notes);
-            boxes.begin_panel("step02_sphere", 9).expect("a panel");
-            let ending = end_box(&mut boxes).expect("the end");
+            boxes.begin_panel("step02_sphere", 9).expect("the panel can begin");
+            let ending = end_box(&mut boxes).expect("the panel can end");
             assert_eq!(opening.matches("<div").count(), wrappers, "{opening}");
             assert_eq!(ending.matches("</div>").count(), wrappers, "{ending}");
             assert_eq!(missing_parts(&boxes), [""; 0]);
@@ -217,10 +217,13 @@ mod tests {
         let missing = |start, name| format!("{start}: {}", ChapterError::MissingPanel(name));
         let [first, second] = [missing(3, "step02_sphere"), missing(5, "step03_nearest")];
         assert_eq!(missing_parts(&boxes), [first.clone(), second.clone()]);
-        assert!(boxes.begin_panel("step02_sphere", 7).is_err(), "not the last picture");
-        end_box(&mut boxes).expect("a box");
-        boxes.begin_panel("step03_nearest", 9).expect("a panel");
-        end_box(&mut boxes).expect("a box");
+        assert!(
+            boxes.begin_panel("step02_sphere", 7).is_err(),
+            "the last picture is a different one"
+        );
+        end_box(&mut boxes).expect("the box can end");
+        boxes.begin_panel("step03_nearest", 9).expect("the panel can begin");
+        end_box(&mut boxes).expect("the box can end");
         assert_eq!(missing_parts(&boxes), [first]);
     }
 
@@ -229,11 +232,11 @@ mod tests {
         let mut boxes = Boxes::default();
         boxes.begin_problem(None, 2, position(4));
         boxes.ensure_problem_can_begin().expect_err("a problem is open");
-        begin_folded_box(&mut boxes, BoxKind::Answer).expect("an answer");
+        begin_folded_box(&mut boxes, BoxKind::Answer).expect("the answer can begin");
         assert!(boxes.open_answer().is_some());
         assert_eq!(missing_parts(&boxes), [format!("2: {}", ChapterError::MissingEndOfBox)]);
         assert_eq!(end_box(&mut boxes).as_deref(), Ok("</details>\n</section>\n"));
-        boxes.ensure_problem_can_begin().expect("nothing is open");
+        boxes.ensure_problem_can_begin().expect("no box is open");
     }
 
     #[test]
@@ -241,7 +244,7 @@ mod tests {
         let error = |error: ChapterError| Err(error.to_string());
         let mut boxes = Boxes::default();
         assert_eq!(end_box(&mut boxes), error(ChapterError::EndWithoutBox));
-        begin_folded_box(&mut boxes, BoxKind::Hints).expect("a box");
+        begin_folded_box(&mut boxes, BoxKind::Hints).expect("the box can begin");
         let inner = begin_folded_box(&mut boxes, BoxKind::Hints);
         assert_eq!(inner, error(ChapterError::BoxInBox));
         assert_eq!(end_box(&mut boxes).as_deref(), Ok(DETAILS_END));
@@ -251,7 +254,7 @@ mod tests {
         assert_eq!(inner, error(ChapterError::MissingAnswer));
         assert_eq!(end_box(&mut boxes).as_deref(), Ok(DETAILS_END));
 
-        boxes.begin_panel("step02_sphere", 6).expect_err("no picture");
+        boxes.begin_panel("step02_sphere", 6).expect_err("there is no picture for the panel");
         assert_eq!(end_box(&mut boxes).as_deref(), Ok(DETAILS_END));
     }
 }

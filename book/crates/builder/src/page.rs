@@ -41,7 +41,7 @@ impl Site {
     pub fn pages_in_order(&self) -> Vec<&Page> {
         let page = &self.pages["index.html"];
         let contents = page.elements.iter().find(|element| element.attr("id") == Some("contents"));
-        let links = page.descendants(contents.expect("a list of contents")).iter();
+        let links = page.descendants(contents.expect("the page has a table of contents")).iter();
         let names = links.filter_map(|link| link.attr("href"));
         names.filter_map(|name| self.pages.get(name)).collect()
     }

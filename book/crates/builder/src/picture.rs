@@ -162,7 +162,7 @@ mod tests {
 
     #[test]
     fn error_for_an_undrawn_mistake_names_the_command_that_draws_it() {
-        let mut sources = Sources::read(&workspace()).expect("the sources");
+        let mut sources = Sources::read(&workspace()).expect("the sources can be read");
         let fault = |sources: &Sources, name: &str| {
             let source = format!("generated/{name}.png");
             let html = image_html("A picture.", &source, sources, &mut Loading::AtOnce);
@@ -170,9 +170,9 @@ mod tests {
         };
         assert_eq!(fault(&sources, "mistake-first-in-list"), None);
         sources.generated.0.remove("mistake-first-in-list.png");
-        let drawn_later = fault(&sources, "mistake-first-in-list").expect("a fault");
+        let drawn_later = fault(&sources, "mistake-first-in-list").expect("the picture is missing");
         assert!(drawn_later.contains("`cargo xtask`"), "{drawn_later}");
-        let unknown = fault(&sources, "mistake-of-nobody").expect("a fault");
+        let unknown = fault(&sources, "mistake-of-nobody").expect("the picture is missing");
         assert_eq!(unknown, "there is no picture generated/mistake-of-nobody.png");
     }
 
@@ -185,11 +185,11 @@ mod tests {
 
     #[test]
     fn only_the_cover_at_the_top_comes_in_several_sizes() {
-        let sources = Sources::read(&workspace()).expect("the sources");
+        let sources = Sources::read(&workspace()).expect("the sources can be read");
         let srcset_of = |name: &str, mut loading: Loading| {
             let source = format!("generated/{name}.png");
             let html = image_html("A picture.", &source, &sources, &mut loading);
-            let html = html.expect("a picture");
+            let html = html.expect("the picture exists");
             let page = Page::parse("a.html", &html);
             page.elements[0].attr("srcset").map(str::to_owned)
         };

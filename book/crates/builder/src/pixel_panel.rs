@@ -71,10 +71,10 @@ mod tests {
     #[test]
     fn there_is_a_row_for_each_sphere() {
         let values = Values::default();
-        let rows = rows_markdown("step03_nearest sphere a", &values).expect("rows");
+        let rows = rows_markdown("step03_nearest sphere a", &values).expect("the columns exist");
         assert_eq!(rows.lines().count(), OBJECTS.len());
         let first = rows.lines().next().unwrap_or_default();
-        let a = values.text("step03_nearest:a0", Notation::Prose).expect("a number");
+        let a = values.text("step03_nearest:a0", Notation::Prose).expect("the value exists");
         assert_eq!(
             first,
             format!(

@@ -152,7 +152,7 @@ mod tests {
 
     #[test]
     fn problem_heading_is_a_number_and_a_numeric_answer() {
-        let heading = ProblemHeading::parse("8 1,234").expect("a heading");
+        let heading = ProblemHeading::parse("8 1,234").expect("the heading is valid");
         assert_eq!(heading, ProblemHeading { number: "8".to_owned(), answer: "1,234".to_owned() });
         for words in ["", "7", "7 lens", "7 0.5 m"] {
             assert!(
@@ -164,7 +164,8 @@ mod tests {
 
     #[test]
     fn whole_number_answer_has_no_tolerance() {
-        let html = |words| ProblemHeading::parse(words).expect("a heading").opening_html();
+        let html =
+            |words| ProblemHeading::parse(words).expect("the heading is valid").opening_html();
         assert!(html("8 1,234").contains("data-answer=\"1234\" data-tolerance=\"0\""));
         assert!(html("7 0.5").contains("data-answer=\"0.5\" data-tolerance=\"0.01\""));
     }

@@ -173,9 +173,9 @@ mod tests {
     #[test]
     fn readers_words_have_letters_and_hints_end_in_full_stops() {
         let SearchVocabulary { phrases, hints, synonyms } = SearchVocabulary::parse(READER_WORDS);
-        assert!(!phrases.contains_key(""), "words before the first address");
+        assert!(!phrases.contains_key(""), "there are phrases above the first section");
         for Hint { messages, sentence, .. } in &hints {
-            assert!(sentence.ends_with('.'), "{messages:?} has no sentence");
+            assert!(sentence.ends_with('.'), "the sentence for {messages:?} has no full stop");
         }
         let messages = hints.iter().flat_map(|hint| &hint.messages);
         let mut all = phrases.values().flatten().chain(synonyms.iter().flatten()).chain(messages);

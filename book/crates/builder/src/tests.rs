@@ -10,7 +10,7 @@ use std::io;
 use std::sync::LazyLock;
 
 static SOURCES: LazyLock<Sources> =
-    LazyLock::new(|| Sources::read(&workspace()).expect("the sources"));
+    LazyLock::new(|| Sources::read(&workspace()).expect("the sources can be read"));
 
 fn expand(chapter: &str) -> ExpandedChapter {
     expand_chapter(chapter, &SOURCES, "in *our* folder")
@@ -64,9 +64,9 @@ fn svg_files_of_figures_have_no_css_variables_or_functions() {
     assert_eq!(files.len(), FIGURES.iter().filter(|figure| is_drawing(&figure.content)).count());
     for (name, svg) in files {
         let (start, style) = svg.split_once("<style>").expect(name);
-        assert!(start.contains("viewBox=\"-24 0 528 "), "{name} has {start}");
+        assert!(start.contains("viewBox=\"-24 0 528 "), "{name} begins with {start}");
         for words in ["var(", "light-dark(", ":is(", "transform"] {
-            assert!(!style.contains(words), "{name} has {words}");
+            assert!(!style.contains(words), "the style of {name} contains {words}");
         }
     }
 }
@@ -100,13 +100,15 @@ fn the_sheet_has_the_problems_of_all_chapters_and_then_their_answers() {
                 It is **0.5 = $t$.** A **way**.\n\n{{#end}}\n\nText.\n";
     let texts = [("One: practice", text), ("None", "# None\n"), ("Two", &text.replace('7', "8"))];
     let chapters = texts.map(|(title, text)| (title.to_owned(), expand(text).problems));
-    insta::assert_snapshot!(problem::sheet_markdown(&chapters, &SOURCES.values).expect("a sheet"));
+    insta::assert_snapshot!(
+        problem::sheet_markdown(&chapters, &SOURCES.values).expect("the sheet has no faults")
+    );
 }
 
 #[test]
 fn problems_are_numbered_in_order_and_their_bold_answers_match_their_headings() {
-    let files = Files::read(&workspace().join("book/src")).expect("chapters");
-    let summary = files.text("SUMMARY.md").expect("a summary");
+    let files = Files::read(&workspace().join("book/src")).expect("the chapters can be read");
+    let summary = files.text("SUMMARY.md").expect("SUMMARY.md exists");
     let names = summary.split(['(', ')']).filter(|name| name.ends_with(".md"));
     let chapters = names.filter_map(|name| files.text(name));
     let problems: Vec<_> = chapters.flat_map(|text| expand(text).problems).collect();
@@ -138,19 +140,21 @@ fn small_site() -> Site {
 
 #[test]
 fn search_index_has_the_sections_of_a_page_without_answers_or_hidden_text() {
-    insta::assert_snapshot!(search::index_script(&small_site(), "").expect("a script"));
+    insta::assert_snapshot!(search::index_script(&small_site(), "").expect("all sections exist"));
 }
 
 #[test]
 fn search_index_has_the_phrases_hints_and_synonyms_of_readers() {
     let words = include_str!("tests/search_words.txt");
-    insta::assert_snapshot!(search::index_script(&small_site(), words).expect("a script"));
+    insta::assert_snapshot!(
+        search::index_script(&small_site(), words).expect("all sections exist")
+    );
 }
 
 #[test]
 fn search_words_for_a_missing_section_are_a_fault() {
     let words =
         "@ a.html#a\nreal words\n\n@ a.html#gone\nwords\n\n@ b.html#b\n! E0001 → A sentence.\n";
-    let error = search::index_script(&small_site(), words).expect_err("two faults");
+    let error = search::index_script(&small_site(), words).expect_err("two sections are missing");
     insta::assert_snapshot!(error);
 }

@@ -146,15 +146,21 @@ mod tests {
     #[test]
     fn readouts_of_a_figure_are_computed_once() {
         let values = Values::default();
-        values.text("step02_sphere:300,150:a0", Notation::Prose).expect("a number");
+        values.text("step02_sphere:300,150:a0", Notation::Prose).expect("the value exists");
         // Put a text into the cache. If the readouts were computed again, it would be lost.
         let key = ("step02_sphere".to_owned(), Some("300,150".to_owned()));
-        let mut known = values.readouts.lock().expect("a map");
-        let readouts = known.get_mut(&key).expect("the readouts of the pixel");
+        let mut known = values.readouts.lock().expect("the lock isn't poisoned");
+        let readouts = known.get_mut(&key).expect("the readouts of the pixel are cached");
         readouts.insert("b0".to_owned(), "kept".to_owned());
         drop(known);
-        assert_eq!(values.text("step02_sphere:300,150:b0", Notation::Prose).expect("text"), "kept");
-        assert_eq!(values.text("step02_sphere:b0", Notation::Prose).expect("text"), "−10");
+        assert_eq!(
+            values.text("step02_sphere:300,150:b0", Notation::Prose).expect("the value exists"),
+            "kept"
+        );
+        assert_eq!(
+            values.text("step02_sphere:b0", Notation::Prose).expect("the value exists"),
+            "−10"
+        );
     }
 
     #[test]
@@ -162,7 +168,12 @@ mod tests {
         for object in OBJECTS {
             let [r, g, b] = object.material.to_array();
             let text = Values::default().text(&format!("R_d:{}", object.name), Notation::Prose);
-            assert_eq!(text.expect("a value"), format!("({r}, {g}, {b})"), "{}", object.name);
+            assert_eq!(
+                text.expect("the value exists"),
+                format!("({r}, {g}, {b})"),
+                "{}",
+                object.name
+            );
         }
         assert!(Values::default().text("R_d:no sphere", Notation::Prose).is_err());
     }
