@@ -1,11 +1,11 @@
-//! Algorithms in words, from code fences marked `algorithm`. A line may end with the name of the
-//! step that implements it, such as `step 1`.
+//! Algorithms in words, from code fences marked `algorithm`. At the end of a line may be the name
+//! of the step that implements this line, such as `step 1`.
 
 use course::escape_html;
 
-/// Returns the HTML of an algorithm. The name of a step, which at least two spaces separate from
-/// the rest of its line, gets its own element. On a narrow screen, the stylesheet puts that element
-/// on the next line.
+/// Returns the HTML of an algorithm. If a line ends with the name of a step, after at least two
+/// spaces, this name gets its own element. On a narrow screen, the stylesheet puts that element on
+/// the next line.
 pub fn algorithm_html(text: &str) -> String {
     let lines = text.split_inclusive('\n').map(|line| match split_before_step_name(line) {
         Some((words, step)) => format!("{}<span>{}</span>", escape_html(words), escape_html(step)),
@@ -14,8 +14,8 @@ pub fn algorithm_html(text: &str) -> String {
     format!("<pre class=\"algorithm\"><code>{}</code></pre>\n", lines.collect::<String>())
 }
 
-/// Splits a line before the spaces that precede the name of a step. Returns None if the line
-/// doesn't end with such a name.
+/// Splits a line before the spaces in front of the name of a step. Returns None if the line doesn't
+/// end with the name of a step.
 fn split_before_step_name(line: &str) -> Option<(&str, &str)> {
     let (words, _) = line.rsplit_once("  ")?;
     let words = words.trim_end();

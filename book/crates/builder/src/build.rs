@@ -1,5 +1,4 @@
-//! The whole build: every page is written into a draft of the book, which then replaces the old
-//! one.
+//! The whole build: a draft of the book is written and checked, and then replaces the old book.
 
 use crate::fault::Faults;
 use crate::inline_stylesheets::inline_stylesheets;
@@ -14,11 +13,11 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// Builds a workspace's book into `folder`, and returns its files and pages.
+/// Builds the book of a workspace into `folder`. Returns the files and pages of the book.
 ///
 /// A lock file makes concurrent builds wait for each other. The pages are written to a draft beside
-/// `folder`, and the draft replaces the folder only once it is complete. So after a fault, the old
-/// book is still there.
+/// `folder`. The draft replaces `folder` only after all checks, so a fault leaves the old book in
+/// place.
 pub fn build(workspace: &Path, folder: &Path) -> Result<Site> {
     let parent = folder.parent().context("the book needs a folder of its own")?;
     fs::create_dir_all(parent).with_context(|| format!("{} can't be created", parent.display()))?;
@@ -26,7 +25,7 @@ pub fn build(workspace: &Path, folder: &Path) -> Result<Site> {
     lock.lock()?;
     restore_folder(folder)?;
     let draft = parent.join("book.draft");
-    // An earlier build that was killed or found a fault may have left its draft behind.
+    // If an earlier build was killed or found a fault, its draft may still be there.
     let _ = fs::remove_dir_all(&draft);
     let site = write_and_check_pages(workspace, &draft)?;
     replace_folder(&draft, folder)
@@ -34,9 +33,9 @@ pub fn build(workspace: &Path, folder: &Path) -> Result<Site> {
     Ok(site)
 }
 
-/// Opens the lock file without changing its contents, and creates it if it doesn't exist. Returns
-/// an error if something other than a regular file is at this path. That includes symbolic links,
-/// which could lead out of the folder.
+/// Opens the lock file without changing its contents, or creates it. Returns an error if anything
+/// but a regular file is at this path. That includes a symbolic link, because the link could lead
+/// out of the folder.
 fn open_lock(path: &Path) -> Result<File> {
     let is_other = fs::symlink_metadata(path).is_ok_and(|metadata| !metadata.is_file());
     ensure!(!is_other, "{} isn't a regular file; remove it", path.display());
@@ -44,14 +43,15 @@ fn open_lock(path: &Path) -> Result<File> {
     lock.with_context(|| format!("{} can't be opened", path.display()))
 }
 
-/// The paths beside a folder to which its old version may be moved. One path isn't enough: the
-/// version that was moved there earlier can't always be removed, for instance while a program has
-/// it open.
+/// Where the old version of a folder may be moved: paths beside the folder. One path isn't enough:
+/// while a program has an older version open, that version can't be removed, and its path isn't
+/// free.
 fn old_version_paths(folder: &Path) -> impl Iterator<Item = PathBuf> {
     (1..=9).map(|number| folder.with_extension(format!("old{number}")))
 }
 
-/// Restores a folder that a killed build moved aside, and removes all other old versions of it.
+/// If a killed build has moved a folder aside, moves it back. Removes all other old versions of the
+/// folder.
 fn restore_folder(folder: &Path) -> Result<()> {
     for old_version in old_version_paths(folder).filter(|path| path.exists()) {
         if folder.exists() {
@@ -76,13 +76,13 @@ fn replace_folder(draft: &Path, folder: &Path) -> io::Result<()> {
         let _ = fs::rename(&old_version, folder);
         return Err(error);
     }
-    // If this fails, the next build tries again.
+    // If the old version can't be removed now, the next build tries again.
     let _ = fs::remove_dir_all(old_version);
     Ok(())
 }
 
 /// Writes all pages into `folder`, and checks them. A fault in a chapter stops the build before any
-/// page is written. Broken links can only be found once all pages exist.
+/// page is written. Broken links and misplaced tags can only be found once all pages exist.
 fn write_and_check_pages(workspace: &Path, folder: &Path) -> Result<Site> {
     let sources = Arc::new(Sources::read(workspace)?);
     let mut book = MDBook::load(workspace.join("book")).context("the book can't be loaded")?;
@@ -103,7 +103,7 @@ fn write_and_check_pages(workspace: &Path, folder: &Path) -> Result<Site> {
     Ok(site)
 }
 
-/// Completes the pages that mdBook has written. Returns the name and final HTML of each.
+/// Completes the pages that mdBook has written. Returns the name and final HTML of each page.
 fn postprocess_pages(files: &Files) -> Result<Vec<(String, String)>> {
     let pages = files.texts_with_suffix(".html").map(|(name, html)| {
         let html = unwrap_part_titles(html).with_context(|| name.to_owned())?;
@@ -116,8 +116,8 @@ fn postprocess_pages(files: &Files) -> Result<Vec<(String, String)>> {
     pages.collect()
 }
 
-/// Repairs the part titles in the table of contents. mdBook puts each of them into a list item
-/// directly inside another list item, which HTML doesn't allow. Only the inner list item is kept.
+/// Repairs the part titles in the table of contents. mdBook wraps each title in two list items, one
+/// directly inside the other. HTML doesn't allow that, so only the inner list item is kept.
 fn unwrap_part_titles(html: &str) -> Result<String, MissingEnd> {
     let begin = "<li class=\"chapter-item expanded \"><li class=\"part-title\">";
     replace_between(html, begin, "</li></li>", |title| {
@@ -125,7 +125,8 @@ fn unwrap_part_titles(html: &str) -> Result<String, MissingEnd> {
     })
 }
 
-/// Writes a file into `folder`, and updates it in `files`, the copy of that folder in memory.
+/// Writes a file into `folder`. Stores the same text in `files`, which is a copy of that folder in
+/// memory.
 fn write_page_file(folder: &Path, files: &mut Files, name: String, text: String) -> Result<()> {
     fs::write(folder.join(&name), &text).with_context(|| name.clone())?;
     files.0.insert(name, text.into_bytes());
@@ -137,7 +138,8 @@ mod tests {
     use super::*;
     use std::{env, process};
 
-    /// Creates a folder with a draft and an old book in it, and returns all three paths.
+    /// Creates a folder that contains a draft and an old book. Returns the paths of the folder, the
+    /// draft and the old book.
     fn create_draft_and_old_book(name: &str) -> (PathBuf, PathBuf, PathBuf) {
         let parent = env::temp_dir().join(format!("{name}-{}", process::id()));
         let _ = fs::remove_dir_all(&parent);
@@ -185,11 +187,11 @@ mod tests {
         fs::rename(&book, book.with_extension("old1")).expect("the book can be moved aside");
         restore_folder(&book).expect("the book can be moved back");
         assert_eq!(read_index(&book), "old");
-        // With the book in its place, old versions are removed.
+        // If the book is in its place, `restore_folder` removes old versions.
         fs::create_dir_all(book.with_extension("old2")).expect("the folder can be created");
         restore_folder(&book).expect("old versions can be removed");
         assert!(!book.with_extension("old2").exists());
-        // The old book is moved to a path that isn't taken.
+        // If a path for old versions is taken, `replace_folder` uses another path.
         fs::create_dir_all(book.with_extension("old1")).expect("the folder can be created");
         replace_folder(&parent.join("book.draft"), &book).expect("the book can be replaced");
         assert_eq!(read_index(&book), "new");

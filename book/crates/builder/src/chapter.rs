@@ -1,7 +1,7 @@
 //! Expands a chapter: turns every directive, formula and listing into HTML.
 //!
-//! The result is Markdown with that HTML in it, since that's what a preprocessor has to return. The
-//! paragraphs, headings and links stay as their author wrote them, and mdBook renders them
+//! The result is Markdown that contains this HTML, because a preprocessor has to return Markdown.
+//! The paragraphs, headings and links stay as their author wrote them, and mdBook renders them
 //! afterwards.
 
 use crate::directive::{Directive, DirectiveKind, replace_directives};
@@ -20,25 +20,27 @@ use mdbook_markdown::pulldown_cmark::{
 };
 use std::ops::Range;
 
-/// The maximum depth to which lists, quotations, emphasis and so on may be nested. At a depth of
-/// thousands, mdBook overflows its stack.
+/// The maximum nesting depth of lists, quotations, emphasis and so on. At a depth of thousands,
+/// mdBook would overflow its stack.
 const MAX_NESTING: usize = 20;
 
-/// A chapter as Markdown for mdBook to render, and the faults and problems found in it.
+/// The result of expanding a chapter: Markdown for mdBook to render, and the chapter's faults and
+/// problems.
 #[derive(Debug, Default)]
 pub struct ExpandedChapter {
     markdown: String,
     /// The faults, from top to bottom.
     pub faults: Vec<Fault>,
-    /// The problems, which readers solve on paper.
+    /// The problems that readers solve on paper.
     pub problems: Vec<Problem>,
-    /// The position in the Markdown where `{{#problem-sheet}}` was, if there was one.
+    /// The position in `markdown` where the problem sheet goes, if the chapter has
+    /// `{{#problem-sheet}}`.
     sheet_position: Option<usize>,
 }
 
 impl ExpandedChapter {
-    /// Returns the Markdown. If the chapter has a `{{#problem-sheet}}`, `sheet` (the problems from
-    /// all chapters) is inserted there.
+    /// Returns the Markdown. If the chapter has `{{#problem-sheet}}`, that directive is replaced
+    /// with `sheet`, the problems from all chapters.
     pub fn markdown_with_sheet(&self, sheet: &str) -> String {
         let mut markdown = self.markdown.clone();
         if let Some(position) = self.sheet_position {
@@ -48,8 +50,8 @@ impl ExpandedChapter {
     }
 }
 
-/// Expands the listings, formulas, figures, numbers, pictures and boxes in a chapter's `text`.
-/// `source_location_markdown` is Markdown that says where the book's source is.
+/// Expands the directives, formulas, listings and pictures in the text of a chapter.
+/// `source_location_markdown` says where the book's source is, and replaces `{{#our-folder}}`.
 pub fn expand_chapter(
     text: &str,
     sources: &Sources,
@@ -78,14 +80,14 @@ struct Chapter<'a> {
     text: &'a str,
     sources: &'a Sources,
     source_location_markdown: &'a str,
-    /// The expansion of the text up to the position `expanded_end`.
+    /// The result so far. It covers the text up to the position `expanded_end`.
     expanded: ExpandedChapter,
     expanded_end: usize,
     /// The ids of the listings so far.
     listings: Vec<String>,
     /// How the next picture is loaded.
     loading: Loading,
-    /// The ranges of the text that each cover a block and the notes after it.
+    /// The blocks that have notes. Each range of the text covers a block and its notes.
     noted_blocks: Vec<Range<usize>>,
     boxes: Boxes,
 }
@@ -98,7 +100,7 @@ enum Expansion {
     Keep,
     /// Replace the part with this Markdown.
     Replace(String),
-    /// Nothing, because the part has already been replaced.
+    /// Do nothing, because the part has already been replaced.
     Done,
 }
 
@@ -108,14 +110,14 @@ impl<'a> Chapter<'a> {
         self.expanded.faults.push(Fault { line, error });
     }
 
-    /// Copies the text unchanged, from where the expansion has got to, up to this position.
+    /// Copies the text unchanged, from `expanded_end` up to this position.
     fn copy_until(&mut self, position: usize) {
         self.expanded.markdown += &self.text[self.expanded_end..position];
         self.expanded_end = position;
     }
 
-    /// Copies the text up to a position. Returns the position together with the corresponding one
-    /// in the expanded text.
+    /// Copies the text up to the position `in_text`. Returns this position and the corresponding
+    /// position in the expanded text.
     fn copy_until_position_pair(&mut self, in_text: usize) -> PositionPair {
         self.copy_until(in_text);
         PositionPair { in_text, in_expanded: self.expanded.markdown.len() }
@@ -131,8 +133,8 @@ impl<'a> Chapter<'a> {
         }
     }
 
-    /// Replaces an inline formula with MathML. A punctuation mark right after it is kept on the
-    /// same line.
+    /// Replaces an inline formula with MathML. A punctuation mark right after the formula stays on
+    /// the same line as the formula.
     fn replace_inline_formula(&mut self, latex: &str, range: &Range<usize>) {
         let formula = formula::formula_html(latex, false, &self.sources.values);
         let mark = self.text[range.end..].chars().next();
@@ -181,13 +183,14 @@ impl<'a> Chapter<'a> {
         }
     }
 
-    /// Whether the block at this position has notes, and therefore a wrapper.
+    /// Whether the block that begins at this position has notes. If so, `open_noted_block` has
+    /// opened a wrapper around the block.
     fn block_has_notes(&self, block_start: usize) -> bool {
         self.noted_blocks.iter().any(|block| block.start == block_start)
     }
 
-    /// Opens the wrapper around a block and its notes, if a block with notes begins at this
-    /// position.
+    /// If a block with notes begins at this position, opens the wrapper around the block and its
+    /// notes.
     fn open_noted_block(&mut self, start: usize) {
         if self.block_has_notes(start) {
             self.copy_until(start);
@@ -195,8 +198,9 @@ impl<'a> Chapter<'a> {
         }
     }
 
-    /// Returns a block with the wrapper that lets a tool, such as the line editor, open beside it
-    /// in the margin. If the block has notes, it already gets its wrapper from them.
+    /// Returns a block in a wrapper, so that a tool, such as the line editor, can open beside the
+    /// block in the margin. A block with notes is returned unchanged, because it already has a
+    /// wrapper.
     fn ensure_margin_wrapper(&self, block: String, block_start: usize) -> String {
         if self.block_has_notes(block_start) {
             block
@@ -205,8 +209,8 @@ impl<'a> Chapter<'a> {
         }
     }
 
-    /// Returns the HTML of a note. For a block's last note, also closes the wrapper around the
-    /// block and its notes.
+    /// Returns the HTML of a note. If the note is the last of its block, the HTML also closes the
+    /// wrapper around the block and its notes.
     fn expand_note(
         &self,
         html: ChapterResult<String>,
@@ -286,8 +290,8 @@ impl<'a> Chapter<'a> {
         }))
     }
 
-    /// Adds a fault if there is an unescaped $ in `source`, a piece of text or HTML that begins at
-    /// `start`.
+    /// Adds a fault if `source` contains an unescaped $. `source` is text or HTML, and begins at
+    /// the position `start`.
     fn report_lone_dollar(&mut self, source: &str, start: usize) {
         let mut positions = source.match_indices('$').map(|(index, _)| start + index);
         if let Some(position) = positions.find(|k| !self.text[..*k].ends_with('\\')) {
@@ -295,8 +299,9 @@ impl<'a> Chapter<'a> {
         }
     }
 
-    /// Expands a code block: an include becomes a listing, and the fences `console` and `algorithm`
-    /// become HTML. Rust typed directly into a chapter is a fault, since nothing would compile it.
+    /// Expands a code block. An `include` becomes a listing, and the fences `console` and
+    /// `algorithm` become HTML. Rust or TOML that is typed directly into a chapter is a fault,
+    /// since nothing would compile it.
     fn expand_code_block(
         &mut self,
         kind: &CodeBlockKind,
@@ -332,7 +337,7 @@ impl<'a> Chapter<'a> {
         Ok(html_block(&html))
     }
 
-    /// Expands a paragraph that consists of a single directive or only of pictures.
+    /// Expands a paragraph that consists of a single directive, or of nothing but pictures.
     fn expand_directive_or_pictures(
         &mut self,
         events: &Events,
@@ -370,8 +375,9 @@ impl<'a> Chapter<'a> {
                 let position = self.copy_until_position_pair(range.start);
                 self.boxes.begin_folded_box(kind, position, html)?
             }
-            // The first three are allowed in any text, and the others are misplaced here. The event
-            // of this paragraph's text comes next. It fills in the former, and reports the latter.
+            // The next event is the text of this paragraph. It fills in `value`, `number` and
+            // `our-folder`, which are allowed in any text. It reports the other directives as
+            // misplaced.
             DirectiveKind::Value
             | DirectiveKind::Number
             | DirectiveKind::OurFolder
@@ -396,7 +402,7 @@ impl<'a> Chapter<'a> {
         self.boxes.begin_problem(heading, range.start, text_start);
     }
 
-    /// Expands `{{#end}}`. If it ends a problem, also adds that problem to the chapter's list.
+    /// Expands `{{#end}}`. If this ends a problem, adds the problem to the chapter's problems.
     fn expand_end(&mut self) -> ChapterResult<String> {
         let (html, answer) = self.boxes.end_box()?;
         if let Some(answer) = answer {
@@ -410,8 +416,9 @@ impl<'a> Chapter<'a> {
         Ok(html)
     }
 
-    /// Expands a paragraph that consists only of pictures. A directive such as `{{#live
-    /// own_scene}}` or `{{#preview own_scene}}` after them makes them interactive.
+    /// Expands a paragraph if it consists of nothing but pictures. The pictures may be followed by
+    /// a directive that makes them interactive, such as `{{#live own_scene}}` or
+    /// `{{#preview own_scene}}`.
     fn expand_pictures_alone(
         &mut self,
         events: &Events,
@@ -461,7 +468,8 @@ impl<'a> Chapter<'a> {
             figures += &picture::figure_html(&image, caption, interaction, &self.sources.values)?;
         }
         if pictures.len() > 1 {
-            // A browser's reader view would drop a `div` of pictures as decoration.
+            // This is a `section`, because a browser's reader view would drop a `div` of pictures
+            // as decoration.
             figures = format!("<section class=\"pictures\">\n{figures}</section>\n");
         }
         Ok(figures)
@@ -475,7 +483,7 @@ struct ChapterPicture<'a> {
     caption: &'a str,
 }
 
-/// Finds the interaction that a directive `live` or `preview` gives to a picture.
+/// Returns the interaction that a directive, `live` or `preview`, gives to the picture before it.
 fn find_interaction(directive: Directive) -> ChapterResult<Interaction<'static>> {
     let Directive { kind, words } = directive;
     let figure =
@@ -484,7 +492,7 @@ fn find_interaction(directive: Directive) -> ChapterResult<Interaction<'static>>
     Ok(make(figure))
 }
 
-/// Whether code is a name such as `Ray::at`, which may be broken between two lines.
+/// Whether a piece of code is a name that may be broken between two lines, such as `Ray::at`.
 fn is_breakable_name(code: &str) -> bool {
     let in_name = |c: char| c.is_ascii_alphanumeric() || "_:/.-".contains(c);
     code.chars().all(in_name) && code.contains(['_', ':', '/'])

@@ -3,16 +3,16 @@
 use crate::Sources;
 use crate::fault::{ChapterError, ChapterResult};
 
-/// The value of `data-check` in the form that accepts any picture. Other forms have the name of a
-/// picture there. book/theme/check_form.js has the same constant.
+/// The value of `data-check` in a form that accepts any picture. In any other form, this value is
+/// the name of a picture. book/theme/check_form.js has the same constant.
 const ANY_PICTURE: &str = "*";
 
-/// Returns the HTML for `{{#check name}}`: a form onto which a reader drops a picture to find out
-/// whether it is right. If `picture_name` is empty, the name of the reader's file says which
-/// picture it should be.
+/// Returns the HTML for `{{#check name}}`: a form that says whether the picture that a reader drops
+/// there is right. If `picture_name` is empty, the form accepts any picture, and the name of the
+/// reader's file says which picture it should be.
 ///
-/// The form is hidden until book/theme/check_form.js shows it, since it doesn't work without
-/// scripts.
+/// The HTML hides the form, since it doesn't work without scripts. If scripts are enabled,
+/// book/theme/css/live.css shows the form from the start.
 pub fn check_form_html(picture_name: &str, sources: &Sources) -> ChapterResult<String> {
     let mut scene_field = "";
     let (checked_picture, words) = match picture_name {

@@ -42,9 +42,9 @@ impl ConsoleKind {
     }
 }
 
-/// Returns the Markdown of a console. `fence_words`, from the code fence, say which kind it is.
-/// Only commands for our folder get a caption. Nearly all commands are for the reader's folder, and
-/// step 1 says that once.
+/// Returns the Markdown of a console. `fence_words`, from the code fence, say which kind of console
+/// it is. Only commands for our folder get a caption. All other commands are for the reader's
+/// folder, and it is enough that step 1 says so.
 pub fn console_markdown(fence_words: &str, commands: &str) -> ChapterResult<String> {
     let kind = ConsoleKind::ALL
         .into_iter()

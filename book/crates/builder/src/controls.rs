@@ -6,20 +6,21 @@ use figures::{Figure, Parameter, ParameterKind, italic_letter};
 const HINT: &str = "<span class=\"hint\">Click or tap the picture, or move the cross \
                     with the arrow keys, to choose a pixel.</span>";
 
-/// book/theme/own_scene.js adds the reader's scene to the link.
+/// The hint below a preview of an editable scene. book/theme/own_scene.js adds the reader's scene
+/// to the address of the link in this hint.
 const SCENE_HINT: &str = "<span class=\"hint\">Drag a ball, and the code of step 5 draws the \
                           picture again. When you want more, <a href=\"own_scene.html\">A scene of \
                           your own</a> goes on from here.</span>";
 
 const RESET: &str = "<button type=\"button\" class=\"reset\" disabled>Reset</button>";
 
-/// Returns the HTML of the controls below a figure, one for each parameter. Parameters that a
-/// handle sets have number fields, which are folded away. In an editable scene, the reader chooses
-/// an object, and the page shows only the controls for that object.
+/// Returns the HTML of the controls below a figure, one for each parameter. If a handle sets a
+/// parameter, the control is a number field in a folded box. In an editable scene, no control is
+/// folded. Instead the reader chooses an object, and the page shows only the controls for that
+/// object.
 ///
-/// The controls are hidden in the HTML, so that nobody sees them if no script can make the figure
-/// interactive. Otherwise book/theme/figure.js shows them at once, and they work as soon as the
-/// module has loaded.
+/// The HTML hides the controls, since they don't work without scripts. If scripts are enabled,
+/// book/theme/css/live.css shows the controls from the start. They work once the module has loaded.
 pub fn controls_html(figure: &Figure) -> String {
     let (mut folded, mut above, mut below) = (vec![], String::new(), String::new());
     for parameter in &figure.parameters {
@@ -52,7 +53,8 @@ pub fn controls_html(figure: &Figure) -> String {
     format!("<div class=\"controls{tool}\" hidden>{hint}{content}</div>")
 }
 
-/// The HTML of the hint below a picture that only becomes interactive once it is touched.
+/// Returns the HTML of the hint below a preview, which is a picture that becomes interactive when
+/// the reader touches it.
 pub fn preview_hint_html(figure: &Figure) -> String {
     let hint = if figure.editable_scene.is_some() { SCENE_HINT } else { HINT };
     format!("<div class=\"controls\" hidden>{hint}</div>")
@@ -76,15 +78,15 @@ fn folded_fields_html(folded: &[Control]) -> String {
     format!("<details class=\"exact\"><summary>Exact values</summary>{rows}</details>")
 }
 
-/// The control of one of a figure's parameters.
+/// The control for one parameter of a figure.
 struct Control<'a> {
     figure: &'a Figure,
     parameter: &'a Parameter,
 }
 
 impl Control<'_> {
-    /// Whether the control is a folded number field, because a handle sets the parameter or another
-    /// coordinate of the same object. An editable scene shows all controls unfolded.
+    /// Whether the control is a folded number field. This is so if a handle sets the parameter, or
+    /// sets another coordinate of the same object. In an editable scene, no control is folded.
     fn is_folded(&self) -> bool {
         let Self { figure, parameter } = self;
         let is_moved =
@@ -92,14 +94,14 @@ impl Control<'_> {
         is_moved && figure.editable_scene.is_none()
     }
 
-    /// The object that has to be chosen for this control to be shown, or None if it is always
-    /// shown.
+    /// The object that the reader has to choose before the page shows this control. Returns None if
+    /// the control doesn't depend on that choice.
     fn required_object(&self) -> Option<&'static str> {
         self.figure.editable_scene.as_ref().and(self.parameter.id.object())
     }
 
-    /// Whether the control is shown before the reader touches anything. In an editable scene, this
-    /// is so only for the controls of the object that the first handle moves.
+    /// Whether the control is shown before the reader touches anything. In an editable scene, only
+    /// the controls of one object are shown at first: the object that the first handle moves.
     fn is_shown_at_first(&self) -> bool {
         let Self { figure, parameter } = self;
         let handle = figure.handles.first().filter(|_| figure.editable_scene.is_some());
@@ -108,8 +110,8 @@ impl Control<'_> {
         (parameter.has_control)(parameter, &figure.default_values()) && is_of_first_object
     }
 
-    /// Returns the HTML of the control, set to the parameter's default value. A number in a folded
-    /// control has no slider.
+    /// Returns the HTML of the control, set to the parameter's default value. A folded control has
+    /// no slider.
     fn html(&self) -> String {
         let Parameter { id, symbol, label, unit, range: [min, max], default, .. } = self.parameter;
         let step = self.parameter.step();

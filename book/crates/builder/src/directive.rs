@@ -1,4 +1,4 @@
-//! Directives, `{{#kind words}}`. Only this file parses their braces.
+//! Directives of the form `{{#kind words}}`. No other file parses them.
 
 use crate::fault::{ChapterError, ChapterResult};
 use crate::folded_box::BoxKind;
@@ -9,14 +9,14 @@ use std::fmt::{self, Display, Formatter};
 /// A directive such as `{{#figure ray}}`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Directive<'a> {
-    /// Its kind, such as `figure`.
+    /// The kind, such as `figure`.
     pub kind: DirectiveKind,
     /// The words after the kind, such as `ray`. They may contain further directives, as in
     /// `{{#predict Why {{#value row:D}}?}}`.
     pub words: &'a str,
 }
 
-/// The kinds of directives. The top of lib.rs explains what each of them is for.
+/// The kinds of directives. The top of lib.rs explains each kind.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum DirectiveKind {
     Include,
@@ -63,7 +63,7 @@ impl DirectiveKind {
         Self::Note(NoteKind::ByHand),
     ];
 
-    /// Its name in a chapter.
+    /// The name of this kind in a chapter.
     pub fn name(self) -> &'static str {
         match self {
             Self::Include => "include",
@@ -99,14 +99,14 @@ impl<'a> Directive<'a> {
         Self::parse_inside(text.trim().strip_prefix("{{#")?.strip_suffix("}}")?)
     }
 
-    /// Parses the text between the braces.
+    /// Parses the text between the braces of a directive.
     fn parse_inside(inside: &'a str) -> Option<Self> {
         let (name, words) = inside.split_once(char::is_whitespace).unwrap_or((inside, ""));
         Some(Self { kind: DirectiveKind::from_name(name)?, words: words.trim() })
     }
 }
 
-/// Writes the directive as its author did.
+/// Writes the directive in the form `{{#kind words}}`.
 impl Display for Directive<'_> {
     fn fmt(&self, f: &mut Formatter) -> fmt::Result {
         let space = if self.words.is_empty() { "" } else { " " };

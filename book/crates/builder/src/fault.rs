@@ -24,7 +24,7 @@ impl Display for Fault {
     }
 }
 
-/// Everything that can be wrong with a directive, formula, picture or listing.
+/// The errors that a directive, formula, picture, listing or box can have.
 #[derive(Debug, Error)]
 pub enum ChapterError {
     #[error(transparent)]
@@ -81,8 +81,7 @@ pub enum ChapterError {
     NumberInCode(String),
     #[error("a formula has at most {0} commands and braces")]
     LongFormula(usize),
-    /// A formula that can't be parsed. `source` says why, and is None if the parser itself
-    /// panicked.
+    /// A formula that can't be parsed. `source` says why. It is None if the parser panicked.
     #[error("the formula {latex} can't be parsed")]
     Formula { latex: String, source: Option<Box<LatexError>> },
 

@@ -6,7 +6,7 @@ use crate::markdown::inline_html;
 use crate::values::Values;
 use figures::{Content, find_figure};
 
-/// The HTML of the drawing called `name`, with its caption and its controls.
+/// Returns the HTML of the drawing called `name`, with its caption and its controls, if it has any.
 pub fn drawing_html(name: &str, values: &Values) -> ChapterResult<String> {
     let figure = find_figure(name).ok_or_else(|| ChapterError::UnknownFigure(name.to_owned()))?;
     let Content::Drawing { title, caption, draw } = figure.content else {

@@ -6,7 +6,7 @@ use std::fs;
 use std::path::Path;
 
 /// Returns all drawings, with default parameters, as SVG files such as `figure-row.svg`. Each file
-/// contains the theme's style, in its light colours.
+/// contains the theme's styles for drawings, in light colours.
 pub fn svg_files(workspace: &Path) -> Result<Vec<(String, Vec<u8>)>> {
     let read = |file| fs::read_to_string(workspace.join("book/theme/css").join(file));
     let style = standalone_style(&read("drawing.css")?, &read("variables.css")?);
@@ -23,8 +23,9 @@ pub fn svg_files(workspace: &Path) -> Result<Vec<(String, Vec<u8>)>> {
     Ok(files.collect())
 }
 
-/// Returns the CSS rules that begin with `.drawing `, without that class. Variables are replaced
-/// with their values in the light theme, since few programs other than browsers support them.
+/// Returns the CSS rules that begin with `.drawing `, and removes that class from them. Replaces
+/// CSS variables with their values in the light theme, since few programs other than browsers
+/// support variables.
 fn standalone_style(rules: &str, variables: &str) -> String {
     let rules = rules.lines().filter(|rule| rule.starts_with(".drawing "));
     let mut style: String = rules.map(|rule| rule.replace(".drawing ", "")).collect();

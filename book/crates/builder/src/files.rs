@@ -1,4 +1,4 @@
-//! A folder's files in memory, and paths between them.
+//! Reads a folder's files into memory, and resolves relative paths.
 
 use anyhow::{Context, Result};
 use course::replace_file;
@@ -9,7 +9,7 @@ use std::path::Path;
 /// The folder of the chapters, relative to the root of the workspace.
 pub const CHAPTERS: &str = "book/src/";
 
-/// Resolves `path` relative to `base`, which is a file, or a folder if it ends in `/`.
+/// Resolves a path relative to `base`. If `base` ends in `/`, it is a folder, and otherwise a file.
 pub fn resolve_path(base: &str, path: &str) -> String {
     let mut parts: Vec<&str> = base.split('/').collect();
     parts.pop();
@@ -23,7 +23,7 @@ pub fn resolve_path(base: &str, path: &str) -> String {
     parts.join("/")
 }
 
-/// A folder's files in memory, keyed by their paths in that folder.
+/// The files of a folder in memory, keyed by their paths relative to that folder.
 #[derive(Clone, Debug, Default)]
 pub struct Files(pub BTreeMap<String, Vec<u8>>);
 
@@ -46,8 +46,8 @@ impl Files {
         Ok(Self(files))
     }
 
-    /// Makes `folder` contain these files and no others. A file that is up to date isn't written
-    /// again, because `mdbook serve` would notice that and rebuild the book.
+    /// Makes `folder` contain these files and no others. Leaves up-to-date files alone, because
+    /// rewriting one would make `mdbook serve` rebuild the book.
     pub fn sync_to(&self, folder: &Path) -> Result<()> {
         fs::create_dir_all(folder)
             .with_context(|| format!("{} can't be created", folder.display()))?;
@@ -68,7 +68,7 @@ impl Files {
         str::from_utf8(self.0.get(path)?).ok()
     }
 
-    /// The paths and texts of all text files whose paths end in `suffix`.
+    /// The path and text of each UTF-8 file whose path ends in `suffix`.
     pub fn texts_with_suffix(&self, suffix: &str) -> impl Iterator<Item = (&str, &str)> {
         let paths = self.0.keys().filter(move |path| path.ends_with(suffix));
         paths.filter_map(|path| Some((path.as_str(), self.text(path)?)))

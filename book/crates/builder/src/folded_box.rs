@@ -1,10 +1,10 @@
-//! The boxes that a reader opens, such as hints and answers.
+//! The boxes that are folded until a reader opens them, such as hints and answers.
 
 use crate::fault::ChapterResult;
 use crate::markdown::inline_html;
 use crate::values::Values;
 
-/// The kinds of boxes.
+/// The kinds of folded boxes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BoxKind {
     Predict,
@@ -35,7 +35,7 @@ impl BoxKind {
     }
 }
 
-/// Returns the HTML for a directive such as `{{#predict a question}}`, which begins a box.
+/// Returns the HTML that opens a box, for a directive such as `{{#predict a question}}`.
 pub fn opening_html(kind: BoxKind, summary: &str, values: &Values) -> ChapterResult<String> {
     let (name, label, words) = (kind.name(), kind.label(), inline_html(summary, values)?);
     Ok(format!(

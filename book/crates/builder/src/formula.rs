@@ -12,7 +12,7 @@ const MAX_MARKS: usize = 100;
 /// The stack size of the thread that parses a formula.
 const STACK_BYTES: usize = 16 << 20;
 
-/// Converts a LaTeX formula to MathML, escaped so that Markdown leaves it unchanged.
+/// Converts a LaTeX formula to MathML. The MathML is escaped so that Markdown leaves it unchanged.
 pub fn formula_html(latex: &str, is_display: bool, values: &Values) -> ChapterResult<String> {
     let style = if is_display { MathDisplay::Block } else { MathDisplay::Inline };
     let mathml = numbers::fill_in_formula(latex, values, |latex| convert(latex, style))?;
@@ -43,9 +43,9 @@ fn convert(latex: &str, style: MathDisplay) -> ChapterResult<String> {
     }
 }
 
-/// Puts the subscripts of letters with a descender at the height of all others, so that y₀ looks
-/// like x₀. A browser would put the subscript of y lower, below its descender. With a depth of 0,
-/// the letter has no descender as far as the browser knows.
+/// Puts the subscript of a letter with a descender at the same height as other subscripts, so that
+/// y₀ looks like x₀. A browser would put the subscript of y lower, below the descender. A depth of
+/// 0 tells the browser that the letter has no descender.
 fn align_subscripts(mut mathml: String) -> String {
     for letter in ["g", "p", "q", "y"] {
         let plain = format!("<msub><mi>{letter}</mi>");
@@ -55,7 +55,8 @@ fn align_subscripts(mut mathml: String) -> String {
     mathml
 }
 
-/// Escapes the characters between the tags of `mathml` that Markdown would read as markup.
+/// In the text between the tags of `mathml`, escapes the characters that Markdown would read as
+/// markup.
 fn escape_markdown(mathml: &str) -> String {
     let mut escaped = String::with_capacity(mathml.len());
     let mut in_tag = false;

@@ -14,9 +14,10 @@ pub enum StylesheetError {
     UnknownFile(String),
 }
 
-/// Replaces the links to stylesheets in a page's `html` with the stylesheets themselves, so that a
-/// browser can show the page at once. The stylesheets are taken from `files`. The addresses in
-/// them, which are relative to the stylesheet, are made relative to the page.
+/// Replaces each link to a stylesheet in the `html` of a page with the text of that stylesheet, so
+/// that a browser can show the page without waiting for further files. `files` contains the
+/// stylesheets. The addresses in them are relative to the stylesheet, and are rewritten to be
+/// relative to the page.
 pub fn inline_stylesheets(html: &str, files: &Files) -> Result<String, StylesheetError> {
     replace_between(html, "<link rel=\"stylesheet\" href=\"", "\">", |path| {
         let css = files.text(path).ok_or_else(|| StylesheetError::UnknownFile(path.to_owned()))?;

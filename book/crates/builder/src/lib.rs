@@ -1,42 +1,47 @@
-//! Builds the book from its chapters, the five crates and the locked pictures.
+//! Builds the book from its chapters, the crates of the five steps, and the locked pictures.
 //!
-//! `Sources` is everything that the chapters show: files in the workspace, and the pictures and
-//! scripts in `generated/`. `ChapterPreprocessor` is the mdBook preprocessor that expands the
-//! chapters, both for `mdbook serve` and for `cargo run`. `build` has mdBook write the pages,
-//! copies the stylesheets into them, and writes the search index. Finally it checks every link, and
-//! that the tags on every page are nested as HTML requires.
+//! `Sources` gives access to everything that the chapters show: the files in the workspace, the
+//! pictures and scripts in `generated/`, and the computed values. `ChapterPreprocessor` is the
+//! mdBook preprocessor that expands the chapters, both for `mdbook serve` and for `cargo run`.
+//! `build` calls mdBook to write the pages. It then copies the stylesheets into them, and writes
+//! the search index. Finally it checks every link, and checks that the tags on every page are
+//! nested as HTML requires.
 //!
-//! A chapter is Markdown with *directives*, `{{#kind words}}`. Most directives stand in a paragraph
-//! of their own; `value`, `number` and `our-folder` are part of a sentence:
+//! A chapter is Markdown with *directives* of the form `{{#kind words}}`. Most directives need a
+//! paragraph of their own, but `value`, `number` and `our-folder` may be part of a sentence. The
+//! directives, and the code fences that the builder expands, are:
 //!
-//! - A *listing* is a code fence with a single `include` of a file or part of a file. It marks the
-//!   places that a reader may edit (`course::Place`). In a fence `rust,own_scene`, the page updates
-//!   the listing when the reader changes that scene.
-//! - A *console* is a code fence with commands: `console,ours` for commands to be run in our folder
-//!   (the workspace of this book), `console,yours` for the reader's own folder, and
-//!   `console,yours,refused` or `console,yours,fails` if the command is meant to be refused or to
-//!   fail, which a test verifies.
-//! - A *value* is computed by the steps when the book is built. A *number* is updated on the page
-//!   when its interactive figure changes.
-//! - A *figure* is a drawing from the crate `figures`, and a *picture* is a PNG file, either a
-//!   locked picture or one generated from the code. Followed by `live`, a picture is interactive:
-//!   its *controls* set its parameters. Followed by `preview`, it has no controls, and becomes
-//!   interactive once the reader touches it.
-//! - `pixel-panel` … `end` is the box *This pixel* below an interactive picture with a *probe*. Its
-//!   text follows the chosen pixel from its ray to its three bytes, with a `number` for each
-//!   intermediate result. In a table inside that box, `rows` becomes a row for each sphere or
-//!   mirror. Its words are a picture's name and the columns to show.
-//! - A *box* (`predict`, `hints`, `aside`, `answer` … `end`) is folded until the reader opens it.
-//! - A `problem` is solved on paper. Its answer is a number, and the box `answer` shows how to get
-//!   there. `problem-sheet` repeats the problems from all chapters.
-//! - `mistakes` is a gallery of the mistakes in a step, each with its picture.
-//! - `check` is a form that says whether a reader's picture is right.
-//! - A `note` is a remark of one paragraph, such as some history, an opinion, or a letter with two
-//!   meanings. Bold words at its beginning are its label. `rust` explains some Rust that a beginner
-//!   won't know yet, and `by-hand` names the test that verifies the numbers worked out by hand
-//!   above it. A note comes after the block that it belongs to, and stands beside it in the margin
-//!   if there is room.
-//! - `our-folder` says where the book's source is.
+//! - A *listing* is a code fence with a single `include` of a file or part of a file. In it, the
+//!   places that a reader may edit (`course::Place`) are marked. A listing in a fence
+//!   `rust,own_scene` belongs to the editable scene `own_scene`: when the reader changes the scene,
+//!   the page updates the listing.
+//! - A *console* is a code fence with commands. The commands in `console,ours` are for our folder
+//!   (the workspace of this book). Those in `console,yours` are for the reader's own folder. In
+//!   `console,yours,refused`, the program is meant to refuse its arguments, and in
+//!   `console,yours,fails`, a test is meant to fail. Our tests verify that this happens.
+//! - A *value* is computed by the code of the steps when the book is built. A *number* belongs to
+//!   an interactive figure: the page updates it when the reader changes that figure.
+//! - A *figure* is a drawing from the crate `figures`. A *picture* is a PNG file in `generated/`. A
+//!   picture that is followed by `live` is interactive, and its *controls* set its parameters. A
+//!   picture that is followed by `preview` has no controls, and only becomes interactive when the
+//!   reader touches it.
+//! - `pixel-panel` and `end` enclose the box *This pixel* below an interactive picture. The picture
+//!   has a *probe*, the handle that selects a pixel. The text in the box follows the computation of
+//!   the selected pixel from its ray to its three bytes, with a `number` for each intermediate
+//!   result. In a table in the box, `rows` becomes one row for each sphere, or one row for each ray
+//!   if there are mirrors. Its words are the name of the picture and the columns of the table.
+//! - A *box* begins with `predict`, `hints`, `aside` or `answer`, and goes up to `end`. It is
+//!   folded until the reader opens it.
+//! - A `problem` is for the reader to solve on paper. Its answer is a number, and its box `answer`
+//!   shows how to find this number. `problem-sheet` repeats the problems from all chapters.
+//! - `mistakes` becomes a gallery that shows how mistakes change the picture of a step.
+//! - `check` becomes a form that says whether a reader's picture is right.
+//! - A `note` is a remark of one paragraph, such as some history or an opinion. Bold words at its
+//!   beginning are its label. `rust` is a note that explains some Rust that a beginner won't know
+//!   yet. `by-hand` is a note that names a test: the one that verifies the numbers that the text
+//!   above has worked out by hand. In a chapter, a note follows the block that it belongs to. On
+//!   the page, it is beside that block in the margin if there is room.
+//! - `our-folder` becomes words that say where the book's source is.
 //!
 //! A *fault* is an error on a line of a chapter, for the author to fix. The build reports all
 //! faults, and stops.

@@ -54,20 +54,20 @@ pub fn find_address_faults(site: &Site) -> Vec<LinkFault> {
     faults
 }
 
-/// Returns every address that an element links to or loads, after the name of the attribute that
-/// contains it. The name is empty for an address inside a `<style>`.
+/// Returns every address that an element links to or loads. Each address comes with the name of the
+/// attribute that contains it, or with an empty name if it is inside a `<style>`.
 fn addresses_in<'a>(page: &'a Page, element: &'a Element) -> Vec<(&'a str, &'a str)> {
     let mut addresses: Vec<(&str, &str)> = vec![];
     for (name, value) in &element.attributes {
         match &**name {
-            // A `<base>` only says where the book is, and nothing is fetched from there.
+            // A `<base>` only says where the book is. Nothing is fetched from that address.
             "href" if element.tag == "base" => {}
             "href" | "src" => addresses.push((name, value)),
             "srcset" => {
                 let candidates = value.split(',').filter_map(|one| one.split_whitespace().next());
                 addresses.extend(candidates.map(|address| (&**name, address)));
             }
-            // This is text for readers, not an address.
+            // These attributes contain text for readers, not addresses.
             "alt" | "title" | "aria-label" => {}
             _ if value.contains("//") => addresses.push((name, value)),
             _ => addresses.extend(style_urls(value).map(|address| (&**name, address))),
@@ -112,9 +112,11 @@ fn check_address(
 }
 
 /// Whether `id`, the fragment of an address, is meant for a script on the page. The scripts
-/// understand `pixel=470,120` on a page with a pixel panel, `line=gate:true` on a page where the
-/// place `gate` can be edited, and `scene=…` on the page with the editable scene, if the rest
-/// describes a scene.
+/// understand:
+///
+/// - `pixel=470,120` on a page with a pixel panel
+/// - `line=gate:true` on a page where the place `gate` can be edited
+/// - `scene=` and the description of a scene, on the page with the editable scene
 fn is_for_script(page: &Page, id: &str) -> bool {
     match id.split_once('=') {
         Some(("pixel", _)) => page.attribute_values("data-panel").next().is_some(),
@@ -133,7 +135,8 @@ fn is_for_script(page: &Page, id: &str) -> bool {
     }
 }
 
-/// The addresses from which a stylesheet fetches something: those in `url(…)` and after `@import`.
+/// The addresses from which a stylesheet fetches something. These are in `url(…)` and after
+/// `@import`.
 fn style_urls(css: &str) -> impl Iterator<Item = &str> {
     let urls = css.split("url(").skip(1).filter_map(|rest| rest.split(')').next());
     let imports = css.split("@import \"").skip(1).filter_map(|rest| rest.split('"').next());

@@ -1,5 +1,5 @@
-//! Listings: code from a file, with a caption, marks for new lines, and the places that a reader
-//! may edit.
+//! Listings: code from a file, with a caption. New lines are marked, and so are the places that a
+//! reader may edit.
 
 use crate::Sources;
 use crate::fault::{ChapterError, ChapterResult};
@@ -18,22 +18,22 @@ static PLACES: LazyLock<Vec<Place>> = LazyLock::new(course::all_listed_places);
 #[derive(Debug)]
 pub struct ExpandedListing {
     pub markdown: String,
-    /// Whether there is anything in it that a reader may edit.
+    /// Whether the listing has places that a reader may edit.
     pub has_places: bool,
 }
 
-/// Returns the listing for `{{#include path}}`, or for part of a file, such as
-/// `{{#include ../../steps/step02_sphere/src/sphere.rs:..impl Sphere}}`. The caption names the
-/// file, and says whether a part is the file's beginning or has to be added below the code typed so
-/// far.
+/// Returns the listing for `{{#include path}}`. After the path, the directive may name a part of
+/// the file, as in `{{#include ../../steps/step02_sphere/src/sphere.rs:..impl Sphere}}`. The
+/// caption names the file. If the listing shows a part, the caption also says which part: the
+/// beginning of the file, or code to add below the code that has been typed so far.
 ///
-/// The path is relative to the chapters. Files in `book/reader` and `book/typed` are captioned as
-/// files in the reader's own folder. The first listing of a file on a page gets an id for links,
-/// such as `listing-step01_rays-src-ray.rs`; `ids` collects these.
+/// The path is relative to the chapters. In the caption, a file in `book/reader` or `book/typed` is
+/// named as a file in the reader's own folder. On each page, the first listing of a file gets an id
+/// for links, such as `listing-step01_rays-src-ray.rs`. This id is added to `ids`.
 ///
-/// In a fence `rust,own_scene`, `scene` is `own_scene`: once the reader changes that editable
-/// scene, the page shows the scene's program in place of the file. In a fence `rust`, `scene` is
-/// empty.
+/// In a fence `rust,own_scene`, `scene` is the name `own_scene` of an editable scene. Once the
+/// reader changes that scene, the page shows the scene's program in place of the file. In a fence
+/// `rust`, `scene` is empty.
 pub fn expand_listing(
     language: &str,
     scene: &str,
@@ -70,9 +70,10 @@ struct Listing<'a> {
     language: &'a str,
     code: &'a str,
     extent: Extent,
-    /// The lines, counted from 0, that the file of the same name in an earlier step doesn't have.
+    /// The indices of the new lines, which the file of the same name in an earlier step doesn't
+    /// have.
     new_lines: Vec<usize>,
-    /// The places in the code that a reader may edit, if there are any.
+    /// The places in the code that a reader may edit, as `places_list` lists them.
     places: Option<String>,
     /// The editable scene whose program replaces the code once a reader changes the scene.
     scene: Option<&'a str>,
@@ -105,11 +106,12 @@ impl Extent {
     }
 }
 
-/// The maximum number of lines in a listing that isn't split between two sheets of paper.
+/// On paper, a listing with at most this number of lines isn't split between two pages.
 const MAX_UNSPLIT_LINES: usize = 25;
 
 impl Listing<'_> {
-    /// Returns the code in a fence, under its caption. Adds the listing's id to `ids` if it is new.
+    /// Returns a figure that consists of a caption and the code in a fence. If the listing's id
+    /// isn't in `ids`, adds it there.
     fn markdown(&self, ids: &mut Vec<String>) -> String {
         let Self { path, language, code, .. } = self;
         let short_path = path.strip_prefix("steps/").unwrap_or(path);
@@ -138,7 +140,7 @@ impl Listing<'_> {
             ids.push(id);
         }
         attributes.push(("data-path", escape_html(self.path)));
-        // The stylesheet for paper keeps such a listing in one piece.
+        // The stylesheet for paper doesn't split a listing that has this attribute.
         if self.code.lines().count() <= MAX_UNSPLIT_LINES {
             attributes.push(("data-short", String::new()));
         }
@@ -149,7 +151,7 @@ impl Listing<'_> {
     }
 
     /// The CSS variables of the listing: the number of lines, and a background that draws a bar
-    /// beside each new line. If more than half of the lines are new, none has a bar.
+    /// beside each new line. If more than half of the lines are new, there are no bars.
     fn style(&self) -> String {
         let mut style = format!("--lines: {}", self.code.split('\n').count());
         let are_few = 2 * self.new_lines.len() <= self.code.lines().count();
@@ -166,7 +168,7 @@ impl Listing<'_> {
     }
 }
 
-/// Reads the file of the same name in the nearest earlier step that has one.
+/// Reads the file of the same name in the nearest earlier step that has such a file.
 fn read_file_of_nearest_earlier_step(path: &str, workspace: &Path) -> Option<String> {
     let (step, file) = path.strip_prefix("steps/")?.split_once('/')?;
     let mut earlier_names = Step::NAMES.into_iter().rev().skip_while(|name| *name != step).skip(1);
@@ -174,16 +176,16 @@ fn read_file_of_nearest_earlier_step(path: &str, workspace: &Path) -> Option<Str
         .find_map(|name| fs::read_to_string(workspace.join("steps").join(name).join(file)).ok())
 }
 
-/// The lines of `code`, counted from 0, that don't occur in `old`.
+/// The indices of the lines of `code` that don't occur in `old`.
 fn new_lines(code: &str, old: &str) -> Vec<usize> {
     let is_new = |line: &str| !old.lines().any(|known| known == line);
     let lines = code.lines().enumerate().filter(|(_, line)| is_new(line));
     lines.map(|(k, _)| k).collect()
 }
 
-/// Lists the places in the code that a reader may edit, for book/theme/line_editor.js. Each entry
-/// is the name of a place, its start and its length. Both are in UTF-16 code units, because
-/// JavaScript counts in them. Returns None if the code has no places.
+/// Lists the places in the code that a reader may edit, for book/theme/line_editor.js. An entry
+/// consists of the name, the start and the length of a place. The start and the length are counted
+/// in UTF-16 code units, as in JavaScript. Returns None if the code has no places.
 fn places_list(path: &str, code: &str) -> Option<String> {
     let code_units = |text: &str| text.encode_utf16().count();
     let file = path.strip_prefix("steps/")?;
@@ -196,9 +198,10 @@ fn places_list(path: &str, code: &str) -> Option<String> {
     (!entries.is_empty()).then(|| entries.join(" "))
 }
 
-/// Returns the range of lines for a part such as `use..impl Ray`: from the line that begins with
-/// the words before `..` up to, but not including, the line that begins with the words after it. If
-/// either is empty, the part begins or ends with the file.
+/// Returns the range of lines of a part such as `use..impl Ray`. The part begins at the line that
+/// begins with `use`, and ends before the line that begins with `impl Ray`. If there are no words
+/// before `..`, the part begins at the top of the file. If there are none after `..`, it ends at
+/// the bottom of the file.
 fn part_lines(part: &str, lines: &[&str]) -> ChapterResult<Range<usize>> {
     let (begin_words, end_words) =
         part.split_once("..").ok_or_else(|| ChapterError::PartForm(part.to_owned()))?;
@@ -210,8 +213,8 @@ fn part_lines(part: &str, lines: &[&str]) -> ChapterResult<Range<usize>> {
     Ok(start..end)
 }
 
-/// Returns the index of the first line, from `start` on, that begins with these words. If there are
-/// comments or attributes directly above that line, returns the index of the first of those.
+/// Finds the first line, from `start` on, that begins with these words. Returns the index of this
+/// line or, if there are comments or attributes directly above it, the index where they begin.
 fn find_item_start(words: &str, lines: &[&str], start: usize) -> ChapterResult<usize> {
     let has_words = |k: &usize| lines[*k].trim_start().starts_with(words);
     let index = (start..lines.len())

@@ -15,8 +15,8 @@ fn main() -> ExitCode {
     let result = match words[..] {
         [] => build_and_report(false),
         ["--open"] => build_and_report(true),
-        // The command in book/book.toml. mdBook first runs it to ask whether it supports the output
-        // format.
+        // book/book.toml tells mdBook to run the builder with `preprocess`. Before mdBook sends the
+        // book, it asks whether this preprocessor supports the output format.
         ["preprocess", "supports", _] => Ok(()),
         ["preprocess"] => preprocess_stdin(),
         _ => Err(anyhow!("Usage: cargo run -- [--open], where --open opens the book in a browser")),
@@ -26,7 +26,7 @@ fn main() -> ExitCode {
     ExitCode::FAILURE
 }
 
-/// Reads the book that mdBook sends to stdin, and writes it to stdout with expanded chapters.
+/// Reads the book that mdBook sends to stdin, expands the chapters, and writes the book to stdout.
 fn preprocess_stdin() -> Result<()> {
     let (context, book) = mdbook_preprocessor::parse_input(stdin())?;
     let book =
@@ -34,8 +34,8 @@ fn preprocess_stdin() -> Result<()> {
     Ok(serde_json::to_writer(stdout(), &book)?)
 }
 
-/// Builds the book, prints progress, and opens the book if `opens_browser` is true. Errors while
-/// printing are ignored, so that the book is built even if the output has been closed.
+/// Builds the book, prints progress, and opens the book if `opens_browser` is true. Ignores errors
+/// while printing, so that the book is built even if the output has been closed.
 fn build_and_report(opens_browser: bool) -> Result<()> {
     let start = Instant::now();
     let _ = writeln!(stdout(), "Building the book …");

@@ -1,11 +1,11 @@
-//! How chapters are parsed as Markdown, and how a single paragraph becomes HTML.
+//! The options for parsing chapters, and conversions between Markdown and HTML.
 
 use crate::fault::{ChapterError, ChapterResult};
 use crate::values::Values;
 use crate::{formula, numbers};
 use mdbook_markdown::pulldown_cmark::{Event, Options, Parser, Tag, TagEnd, html};
 
-/// The options with which mdBook parses Markdown, plus formulas.
+/// The options with which mdBook parses Markdown, and the option for formulas.
 pub fn markdown_options() -> Options {
     Options::ENABLE_TABLES
         | Options::ENABLE_FOOTNOTES
@@ -18,8 +18,8 @@ pub fn markdown_options() -> Options {
         | Options::ENABLE_MATH
 }
 
-/// Converts one paragraph of Markdown, which may contain formulas, to HTML without the `<p>` around
-/// it.
+/// Converts one paragraph of Markdown to HTML without `<p>` tags. The paragraph may contain
+/// formulas and numbers.
 pub fn inline_html(markdown: &str, values: &Values) -> ChapterResult<String> {
     let mut events = vec![];
     for event in Parser::new_ext(markdown, markdown_options()) {
@@ -37,18 +37,19 @@ pub fn inline_html(markdown: &str, values: &Values) -> ChapterResult<String> {
     numbers::fill_in_html(&text.replace('\n', " "), values)
 }
 
-/// Returns HTML as a block of Markdown, with blank lines around it. Otherwise a paragraph before
-/// the block would include it, and Markdown after the block would be taken for HTML.
+/// Puts blank lines around HTML, so that it is a block of its own in Markdown. Without them, the
+/// HTML would be part of a paragraph above it, and Markdown below it would be taken for HTML.
 pub fn html_block(html: &str) -> String {
     format!("\n{}\n\n", html.trim_end())
 }
 
-/// Returns the HTML of a name in code. A browser may break the name in a narrow column.
+/// Returns a `<code>` element with this name. In a narrow column, a browser may break the name
+/// between two lines.
 pub fn code_with_break_hints(code: &str) -> String {
     format!("<code>{}</code>", with_break_hints(code))
 }
 
-/// Returns the HTML of a name or a path. A browser may break it after `::`, `/` and `_`.
+/// Returns the HTML of a name or path that a browser may break after `::`, `/` and `_`.
 pub fn with_break_hints(name: &str) -> String {
     name.replace("::", "::<wbr>").replace('/', "/<wbr>").replace('_', "&#95;<wbr>")
 }

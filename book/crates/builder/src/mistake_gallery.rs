@@ -1,5 +1,5 @@
-//! The gallery of a step's mistakes, each with its picture, its diff, and the reason why it is
-//! wrong.
+//! The gallery of a step's mistakes. For each mistake, the gallery shows the wrong picture and the
+//! diff, and says why the code is wrong.
 
 use crate::Sources;
 use crate::fault::{ChapterError, ChapterResult};
@@ -9,9 +9,9 @@ use crate::sources::small_picture_name;
 use crate::values::Values;
 use course::{Mistake, MistakePicture, ShownMistake, Step, escape_html, mistakes};
 
-/// Returns the Markdown for `{{#mistakes step01_rays}}`. It begins with a contact sheet of the
-/// mistakes that are visible in that step's picture. A section for each mistake follows, with its
-/// picture, our picture, their difference, the diff, and the reason.
+/// Returns the Markdown for `{{#mistakes step01_rays}}`. The gallery begins with a contact sheet of
+/// the wrong pictures of that step, one for each mistake. A section for each mistake follows. Such
+/// a section consists of three panels, the diff, and the reason why the code is wrong.
 pub fn gallery_markdown(
     step_name: &str,
     sources: &Sources,
@@ -41,7 +41,7 @@ pub fn gallery_markdown(
     Ok([begin, items, end, sections].concat())
 }
 
-/// Explains why a mistake is wrong, with a link to the section about it.
+/// Returns the reason why a mistake is wrong, with a link to the section to read again.
 fn reason_markdown(
     mistake: &Mistake,
     ShownMistake { section, reason, .. }: &ShownMistake,
@@ -57,9 +57,9 @@ fn reason_markdown(
     Ok(format!("{reason} [Step {}, “{section}”]({chapter}.md#{id})", step.number()))
 }
 
-/// Returns the HTML of three panels: the picture with a mistake, which is the file `yours`, our
-/// picture of that step, and their difference. The browser computes the difference by blending the
-/// two pictures.
+/// Returns the HTML of three panels: the wrong picture, the right picture of that step, and the
+/// difference. `yours` is the path of the wrong picture. The browser computes the difference by
+/// blending the two pictures.
 fn panels_html(
     yours: &str,
     step: Step,
@@ -81,7 +81,8 @@ fn panels_html(
     ))
 }
 
-/// Returns the HTML of a mistake's title, with a capital letter unless it begins with a symbol.
+/// Returns the HTML of a mistake's title. The first letter becomes a capital, unless it is part of
+/// a symbol.
 fn title_html(Mistake { title, .. }: &Mistake, values: &Values) -> ChapterResult<String> {
     let word = title.split(' ').next().unwrap_or_default();
     let is_word = word.len() > 1 && word.chars().all(|c| c.is_ascii_lowercase());

@@ -1,8 +1,7 @@
 //! Checks that the elements on every page are nested as HTML requires: an element ends before the
 //! element around it does, and an element for text, such as a label, contains no blocks.
 //!
-//! A browser wouldn't complain about any of this. It guesses what was meant, and shows a page that
-//! nobody wrote.
+//! A browser doesn't report such an error. It guesses what was meant, and its guess may be wrong.
 
 use crate::Site;
 use crate::page::{is_void, tokens};

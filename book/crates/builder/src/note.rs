@@ -1,4 +1,4 @@
-//! Notes, which stand in the margin beside the block that they follow in the chapter.
+//! Notes. On the page, a note is in the margin beside the block that it follows in the chapter.
 
 use crate::directive::{Directive, DirectiveKind};
 use crate::fault::ChapterResult;
@@ -7,7 +7,8 @@ use crate::values::Values;
 use mdbook_markdown::pulldown_cmark::{Event, Tag};
 use std::ops::Range;
 
-/// Opens the wrapper around a block, its notes, and the tool that may open beside it.
+/// Opens a wrapper. It encloses a block, the notes of that block, and any tool that opens beside
+/// the block.
 pub fn wrapper_opening_html() -> String {
     html_block("<div class=\"with-margin\">")
 }
@@ -42,7 +43,7 @@ pub fn note_html(kind: NoteKind, words: &str, values: &Values) -> ChapterResult<
     Ok(format!("<aside class=\"{class}\" role=\"note\">{label}{words}</aside>\n"))
 }
 
-/// Finds each block that is followed by notes. Returns ranges that each cover a block and its
+/// Finds the blocks that have notes. For each of them, returns the range of the block and its
 /// notes. Headings, HTML, and directives that begin or end a box can't have notes.
 pub fn find_noted_blocks(text: &str, events: &[(Event, Range<usize>)]) -> Vec<Range<usize>> {
     let mut noted: Vec<Range<usize>> = vec![];

@@ -1,11 +1,11 @@
-//! The numbers in a text: values, which are computed when the book is built, and live numbers,
-//! which the page updates while the reader changes a figure.
+//! The numbers in a text. Values are computed when the book is built. Live numbers are updated by
+//! the page while the reader changes a figure.
 
 use crate::directive::{Directive, DirectiveKind, replace_directives};
 use crate::fault::{ChapterError, ChapterResult};
 use crate::values::{Notation, Values};
 
-/// Fills in `{{#value name}}` and `{{#number row:hRes}}` in the HTML of a text.
+/// Fills in directives such as `{{#value name}}` and `{{#number row:hRes}}` in the HTML of a text.
 pub fn fill_in_html(html: &str, values: &Values) -> ChapterResult<String> {
     replace_directives(html, |directive| number_html(directive, values))
 }
@@ -19,7 +19,7 @@ pub fn number_html(directive: Directive, values: &Values) -> ChapterResult<Strin
     }
 }
 
-/// Fills in `{{#value name}}` in code.
+/// Fills in directives such as `{{#value name}}` in code.
 pub fn fill_in_code(code: &str, values: &Values) -> ChapterResult<String> {
     replace_directives(code, |directive| match directive.kind {
         DirectiveKind::Value => values.text(directive.words, Notation::Code),
@@ -28,10 +28,10 @@ pub fn fill_in_code(code: &str, values: &Values) -> ChapterResult<String> {
     })
 }
 
-/// Fills in `{{#value name}}` and `{{#number row:hRes}}` in a formula, and converts the formula
-/// with `to_mathml`. LaTeX has no notation for a live number, so the LaTeX contains a placeholder
-/// for each: the text `live0`, `live1` and so on. In the MathML, the number then replaces its
-/// placeholder.
+/// Fills in directives such as `{{#value name}}` and `{{#number row:hRes}}` in a formula, and
+/// converts the formula with `to_mathml`. LaTeX has no notation for live numbers, so they are
+/// placeholders in the LaTeX: the texts `live0`, `live1` and so on. In the MathML, live numbers
+/// then replace these placeholders.
 pub fn fill_in_formula(
     latex: &str,
     values: &Values,
@@ -59,8 +59,8 @@ pub fn fill_in_formula(
     Ok(filled + rest)
 }
 
-/// Returns an element `tag` with a number that the page updates. It contains the number for the
-/// default parameters.
+/// Returns an element, with this tag, for a number that the page updates. At first, the element
+/// contains the number for the default parameters.
 pub fn live_number_html(tag: &str, name: &str, values: &Values) -> ChapterResult<String> {
     let default_text = values.text(name, Notation::Prose)?;
     Ok(format!("<{tag} data-number=\"{name}\">{default_text}</{tag}>"))

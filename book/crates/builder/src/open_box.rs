@@ -1,7 +1,7 @@
-//! The boxes in a chapter: which of them is open, and the HTML that opens and closes a box.
+//! Keeps track of which box in a chapter is open, and returns the HTML that opens and closes boxes.
 //!
-//! Folded boxes, panels of pictures, and problems are all boxes. They don't nest, and the same
-//! `{{#end}}` closes any of them, so there are four states:
+//! A box is a folded box, the panel of a picture, or a problem. Boxes don't nest, and the same
+//! `{{#end}}` closes any box, so there are four states:
 //!
 //! | State | Directive | Next state |
 //! |---|---|---|
@@ -11,14 +11,14 @@
 //! | problem | `answer` | answer |
 //! | simple box, answer | `end` | no box |
 //!
-//! Everything else is an error. To avoid a second error at the next `{{#end}}`, a box counts as
-//! open even if its first line is an error. For the same reason, a box that begins in a problem
-//! before the answer replaces that problem as the open box.
+//! Any other directive for a box is an error. After an error in its first line, a box still counts
+//! as open. Otherwise its `{{#end}}` would be a second error. For the same reason, if a simple box
+//! begins in a problem before the answer, the simple box replaces the problem as the open box.
 //!
-//! A panel belongs to the picture with a probe above it. Both are in one wrapper, so that the panel
-//! can stand in the margin. [`Boxes::await_panel`] opens the wrapper before the picture, and stores
-//! the HTML that closes it after the panel. A picture with notes already has a wrapper, which ends
-//! after the last note, so nothing needs to be opened or closed.
+//! A panel belongs to the last picture above it that has a probe. One wrapper contains both, so
+//! that the panel can be in the margin. [`Boxes::await_panel`] opens the wrapper before the
+//! picture, and stores the HTML that closes the wrapper after the panel. If the picture has notes,
+//! no wrapper is opened here, because the picture and its notes already have one.
 
 use crate::fault::{ChapterError, ChapterResult};
 use crate::folded_box::BoxKind;
@@ -38,12 +38,12 @@ pub struct Boxes {
 /// A box whose `{{#end}}` hasn't been reached yet.
 #[derive(Debug)]
 enum OpenBox {
-    /// A folded box or the panel of a picture, which begins at `start` in the chapter and is closed
-    /// by `end_html`.
+    /// A folded box, or the panel of a picture. It begins at `start` in the chapter, and `end_html`
+    /// closes it.
     Simple { start: usize, end_html: String },
     /// A problem, up to its `{{#answer}}`.
     Problem(OpenProblem),
-    /// The answer to a problem. One `{{#end}}` closes both.
+    /// The answer to a problem. One `{{#end}}` closes both the answer and the problem.
     Answer(OpenAnswer),
 }
 
@@ -51,16 +51,16 @@ enum OpenBox {
 #[derive(Debug)]
 struct ProbedPicture {
     name: &'static str,
-    /// The start of its paragraph in the chapter.
+    /// The start of the picture's paragraph in the chapter.
     start: usize,
-    /// The HTML that closes the wrapper after the panel, or nothing if the wrapper ends after a
+    /// The HTML that goes after the panel. It closes the wrapper, unless the wrapper ends after a
     /// note.
     wrapper_end_html: String,
 }
 
 impl Boxes {
-    /// Records a picture with a probe that begins at `start`, so that its panel has to follow.
-    /// Returns the HTML that goes before the picture.
+    /// Records a picture with a probe. A panel for this picture then has to follow. The paragraph
+    /// of the picture begins at `start`. Returns the HTML that goes before the picture.
     pub fn await_panel(&mut self, picture: &'static str, start: usize, has_notes: bool) -> String {
         let (wrapper_html, wrapper_end_html) = if has_notes {
             Default::default()
@@ -71,7 +71,7 @@ impl Boxes {
         wrapper_html
     }
 
-    /// Opens the panel of the picture `name`, which has to be the last picture with a probe.
+    /// Opens the panel of the picture `name`, which has to be the last picture with a probe so far.
     pub fn begin_panel(&mut self, name: &str, start: usize) -> ChapterResult<String> {
         let (html, wrapper_end_html) =
             match self.awaiting_panel.pop_if(|picture| picture.name == name) {
@@ -85,7 +85,7 @@ impl Boxes {
     }
 
     /// Opens a folded box, or the answer to the open problem. Returns `html`, the expansion of the
-    /// box's first line, unless no box can begin here.
+    /// box's first line, or an error if no box can begin here.
     pub fn begin_folded_box(
         &mut self,
         kind: BoxKind,
@@ -109,7 +109,8 @@ impl Boxes {
                 self.open = Some(OpenBox::Simple { start, end_html });
                 Ok(())
             }
-            // The next `{{#end}}` closes this box, and no other one follows for the problem.
+            // The next `{{#end}}` closes this box. Drop the problem, because it has no `{{#end}}`
+            // of its own.
             Some(OpenBox::Problem(problem)) => {
                 self.open = Some(OpenBox::Simple { start: problem.start, end_html });
                 Err(ChapterError::MissingAnswer)
@@ -118,7 +119,7 @@ impl Boxes {
         }
     }
 
-    /// Returns an error if no problem can begin here, because a box is open.
+    /// Returns an error if a box is open, because no problem can begin inside a box.
     pub fn ensure_problem_can_begin(&self) -> ChapterResult<()> {
         if self.open.is_none() { Ok(()) } else { Err(ChapterError::ProblemInBox) }
     }
@@ -134,7 +135,7 @@ impl Boxes {
         self.open = Some(OpenBox::Problem(OpenProblem { heading, start, text_start }));
     }
 
-    /// The answer that is open, if there is one.
+    /// The open box if it is the answer to a problem, or else None.
     pub fn open_answer(&mut self) -> Option<&mut OpenAnswer> {
         match &mut self.open {
             Some(OpenBox::Answer(answer)) => Some(answer),
@@ -142,8 +143,8 @@ impl Boxes {
         }
     }
 
-    /// Closes the open box. Returns the closing HTML and, if the box is the answer to a problem,
-    /// the answer.
+    /// Closes the open box. Returns the HTML that closes it. If the box is the answer to a problem,
+    /// returns the answer as well.
     pub fn end_box(&mut self) -> ChapterResult<(String, Option<OpenAnswer>)> {
         match self.open.take() {
             Some(OpenBox::Simple { end_html, .. }) => Ok((end_html, None)),
@@ -155,8 +156,8 @@ impl Boxes {
         }
     }
 
-    /// Finds the panels and `{{#end}}` that are missing at the end of the chapter. Each error has
-    /// the position of its picture or box.
+    /// Finds what is missing at the end of the chapter: panels of pictures, and the `{{#end}}` of a
+    /// box. Each error has the position of the picture or box.
     pub fn find_missing_parts(&self) -> Vec<(usize, ChapterError)> {
         let open = self.open.iter().map(|open| {
             let start = match open {

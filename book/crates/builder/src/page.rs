@@ -1,4 +1,4 @@
-//! The finished book as readers get it: its pages, with their elements and text.
+//! The finished book: its files, and its pages parsed into elements and text.
 
 use crate::Files;
 use anyhow::Result;
@@ -13,12 +13,12 @@ use std::iter;
 use std::ops::Range;
 use std::path::Path;
 
-/// The book as a reader gets it.
+/// The finished book.
 #[derive(Clone, Debug)]
 pub struct Site {
-    /// All its files.
+    /// All files of the book.
     pub files: Files,
-    /// All its pages, keyed by file name.
+    /// All pages of the book, keyed by file name.
     pub pages: BTreeMap<String, Page>,
 }
 
@@ -28,7 +28,7 @@ impl Site {
         Ok(Self::new(Files::read(folder)?))
     }
 
-    /// Parses the pages among these files.
+    /// Creates a site from these files, and parses the pages among them.
     pub fn new(files: Files) -> Self {
         let texts = files.texts_with_suffix(".html");
         let pages = texts.map(|(name, html)| (name.to_owned(), Page::parse(name, html))).collect();
@@ -50,11 +50,11 @@ impl Site {
 /// A page of the book: its elements, and its text.
 #[derive(Clone, Debug)]
 pub struct Page {
-    /// Its file name, such as `step01_rays.html`.
+    /// The file name of the page, such as `step01_rays.html`.
     pub name: String,
-    /// Its elements, from top to bottom. An element comes before those inside it.
+    /// The elements, from top to bottom. An element comes before the elements inside it.
     pub elements: Vec<Element>,
-    /// Its text, including the contents of scripts and styles.
+    /// The text of the page, including the contents of scripts and styles.
     text: String,
 }
 
@@ -65,14 +65,14 @@ pub struct Element {
     pub tag: String,
     /// The names and values of its attributes.
     pub attributes: Vec<(String, String)>,
-    /// The indices of the elements inside it.
+    /// The indices, among the page's elements, of the elements inside this element.
     descendants: Range<usize>,
-    /// The byte range of its text within the page's text.
+    /// The byte range of this element's text within the page's text.
     pub text: Range<usize>,
 }
 
 impl Element {
-    /// The value of an attribute, or None if the element doesn't have it.
+    /// The value of an attribute, or None if the element doesn't have that attribute.
     pub fn attr(&self, name: &str) -> Option<&str> {
         let value = self.attributes.iter().find(|(other, _)| other == name);
         value.map(|(_, value)| &**value)
@@ -86,7 +86,8 @@ impl Page {
         let mut text = String::new();
         let mut open: Vec<usize> = vec![];
         for (token, _) in tokens(html) {
-            // A space keeps words on different lines or in different cells apart.
+            // Add a space, so that words on different lines or in different table cells aren't
+            // joined.
             if matches!(&token, Token::TagToken(tag) if matches!(&*tag.name, "br" | "td" | "th")) {
                 text.push(' ');
             }
@@ -130,12 +131,13 @@ impl Page {
         &self.elements[element.descendants.clone()]
     }
 
-    /// The text of an element, including that of the elements inside it.
+    /// The text of an element, including the text of the elements inside it.
     pub fn text(&self, element: &Element) -> &str {
         &self.text[element.text.clone()]
     }
 
-    /// The text of an element, except for the elements for which `is_left_out` returns true.
+    /// The text of an element, without the text of any element for which `is_left_out` returns
+    /// true.
     pub fn text_without(
         &self,
         element: &Element,
@@ -151,8 +153,8 @@ impl Page {
         text + &self.text[start..element.text.end]
     }
 
-    /// Returns the location of an element, for a message about a fault: the page, and the nearest
-    /// id at or before the element.
+    /// Returns the location of an element, for a message about a fault. The location consists of
+    /// the page and an id: that of the element itself, or else the nearest id before the element.
     pub fn address_for_fault(&self, element: &Element) -> String {
         let mut elements = self.elements[..element.descendants.start].iter().rev();
         let id = elements.find_map(|element| element.attr("id"));
@@ -160,7 +162,7 @@ impl Page {
     }
 }
 
-/// Whether an element never has content or an end tag.
+/// Whether elements with this tag have neither content nor an end tag.
 pub fn is_void(tag: &str) -> bool {
     matches!(
         tag,
@@ -168,7 +170,7 @@ pub fn is_void(tag: &str) -> bool {
     )
 }
 
-/// Splits the HTML of a page into tags and text, each with its line.
+/// Splits the HTML of a page into tokens, such as tags and text. Each token comes with its line.
 pub fn tokens(html: &str) -> Vec<(Token, u64)> {
     let queue = BufferQueue::default();
     queue.push_back(StrTendril::from(html));
@@ -178,7 +180,7 @@ pub fn tokens(html: &str) -> Vec<(Token, u64)> {
     tokenizer.sink.0.take()
 }
 
-/// Collects the tokens. The contents of scripts and styles aren't parsed as HTML.
+/// Collects the tokens. Takes the contents of scripts and styles for plain text, not for HTML.
 #[derive(Default)]
 struct Tokens(RefCell<Vec<(Token, u64)>>);
 

@@ -9,34 +9,35 @@ use course::{escape_html, mistakes};
 use figures::Figure;
 use std::mem;
 
-/// The attribute `sizes` of a picture that comes in several sizes, which tells the browser how wide
-/// the picture will be: as wide as the text, or as the window without the gutters. The widths are
-/// in pixels, because in this attribute a rem is the browser's default font size, not the page's.
+/// The attribute `sizes` of a picture that comes in several sizes. It tells the browser how wide
+/// the picture will be: as wide as the text or, in a narrow window, as wide as the window without
+/// the gutters. The widths are in pixels, because a rem in this attribute depends on the browser's
+/// default font size, not on the page's font size.
 const WIDTH_ON_PAGE: &str = "(min-width: 730px) 684px, calc(100vw - 43px)";
 
 /// How a picture reacts to a reader.
 #[derive(Clone, Copy)]
 pub enum Interaction<'a> {
-    /// Becomes interactive as soon as it comes near the view, with all of the figure's handles and
-    /// controls.
+    /// The picture becomes interactive as soon as it comes near the view. It has all handles and
+    /// controls of the figure.
     Live(&'a Figure),
-    /// Becomes interactive when it is touched, and has no controls. For example, the preview of
-    /// step 5 only says what a pixel's ray hits.
+    /// The picture becomes interactive when the reader touches it. It has no controls. For example,
+    /// the preview of step 5 only says what the ray of a pixel hits.
     Preview(&'a Figure),
 }
 
 /// When a browser loads a picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Loading {
-    /// At once and before other pictures. This is for the first picture on a page.
+    /// At once, before all other pictures. This is for the first picture on a page.
     AtOnce,
-    /// When it comes into view.
+    /// When the picture comes into view.
     InView,
 }
 
 impl Loading {
-    /// Returns how the next picture on a page is loaded. All later ones are loaded when they come
-    /// into view.
+    /// Returns how the next picture on a page is loaded. All pictures after that are loaded when
+    /// they come into view.
     pub fn next(&mut self) -> Self {
         mem::replace(self, Self::InView)
     }
@@ -50,21 +51,22 @@ impl Loading {
     }
 }
 
-/// Returns the HTML of the page for printing with every picture loaded at once. On paper, a picture
-/// that is only loaded when it comes into view would be missing.
+/// Changes the HTML of the page for printing so that every picture is loaded at once. A picture
+/// that is only loaded when it comes into view would be missing on paper.
 pub fn load_all_pictures(html: &str) -> String {
     html.replace(&format!(" {}", Loading::InView.attribute()), "")
 }
 
-/// Returns the HTML of `![alt text](generated/name.png "Caption")`, without the caption. For the
-/// picture of a mistake, the alt text comes from the list of mistakes instead.
+/// Returns the HTML of `![alt text](generated/name.png "Caption")`, without the caption. If the
+/// picture shows a mistake, the alt text comes from the list of mistakes, not from the Markdown.
 pub fn image_html_from_markdown(
     markdown: &str,
     source: &str,
     sources: &Sources,
     loading: &mut Loading,
 ) -> ChapterResult<String> {
-    // The caption may contain links as well, so the alt text ends at the first match.
+    // The caption may also contain a link to the same address, so the alt text ends at the first
+    // match.
     let end = format!("]({source}");
     let alt = markdown.trim_start_matches("![").split(&end).next().unwrap_or_default();
     let alt_words: Vec<_> = alt.split_whitespace().collect();
@@ -76,7 +78,8 @@ pub fn image_html_from_markdown(
     )
 }
 
-/// Returns what the list of mistakes says about a mistake's picture, or None for any other picture.
+/// If a picture shows a mistake, returns what the list of mistakes says about the picture. Returns
+/// None for any other picture.
 fn mistake_effect_of_picture(source: &str) -> Option<String> {
     let name = source.strip_prefix("generated/mistake-")?.strip_suffix(".png")?;
     let all = mistakes();
@@ -86,8 +89,8 @@ fn mistake_effect_of_picture(source: &str) -> Option<String> {
     Some(mistake.effect.replace('`', ""))
 }
 
-/// Returns the HTML of a picture with this alt text, including the picture's width and height. If
-/// it is the first on its page, a phone may load it in a smaller size.
+/// Returns the HTML of a picture, with this alt text and with the picture's width and height. If
+/// the picture is the first on its page, a phone may load a smaller version of it.
 pub fn image_html(
     alt: &str,
     source: &str,
@@ -110,7 +113,8 @@ pub fn image_html(
     let loading = loading.next();
     let smaller = match loading {
         Loading::AtOnce => sources.smaller_sizes(source),
-        // The page doesn't wait for such a picture, so its size matters less.
+        // The page doesn't wait for a picture that is out of view, so the size of its file matters
+        // less.
         Loading::InView => vec![],
     };
     let srcset = if smaller.is_empty() {
@@ -130,8 +134,8 @@ pub fn image_html(
     ))
 }
 
-/// Returns the HTML of a figure with an image and a caption, which is Markdown. A live figure also
-/// gets its controls, and a preview gets a hint.
+/// Returns the HTML of a figure with this image. `caption` is Markdown, and may be empty. A live
+/// figure also gets controls, and a preview gets a hint.
 pub fn figure_html(
     image: &str,
     caption: &str,

@@ -7,11 +7,12 @@ use crate::values::Values;
 use figures::{find_figure, row_readout_name, short_name};
 use step03_nearest::OBJECTS;
 
-/// Returns the HTML for `{{#pixel-panel step04_diffuse}}`, which begins that picture's box. The
-/// chapter continues with the text in the box, in which a `{{#number …}}` stands for each number
-/// that depends on the pixel, up to `{{#end}}`.
+/// Returns the HTML for `{{#pixel-panel step04_diffuse}}`, which begins the box for that picture.
+/// The text in the box follows in the chapter, up to `{{#end}}`. In this text, each number that
+/// depends on the pixel is written as `{{#number …}}`.
 ///
-/// The box is hidden until book/theme/figure.js shows it, since it doesn't work without scripts.
+/// The HTML hides the box, since it doesn't work without scripts. If scripts are enabled,
+/// book/theme/css/live.css shows the box from the start.
 pub fn opening_html(picture: &str) -> String {
     format!(
         "<details data-panel=\"{picture}\" class=\"aside\" hidden>\
@@ -20,9 +21,9 @@ pub fn opening_html(picture: &str) -> String {
 }
 
 /// Returns the rows of a table for `{{#rows step04_diffuse sphere a b c}}`. The first row has that
-/// picture's numbers a0, b0 and c0, the second a1, b1 and c1, and so on. The column `sphere` has
-/// the names of the spheres, from which book/theme/figure.js finds the row of the sphere that was
-/// hit.
+/// picture's numbers a0, b0 and c0. The second row has a1, b1 and c1, and so on. The column
+/// `sphere` has the names of the spheres. book/theme/figure.js uses these names to find the row of
+/// the sphere that was hit.
 pub fn rows_markdown(words: &str, values: &Values) -> ChapterResult<String> {
     let mut words = words.split_whitespace();
     let (Some(picture), columns) = (words.next(), words.collect::<Vec<_>>()) else {

@@ -17,8 +17,8 @@ use std::sync::Arc;
 pub struct ChapterPreprocessor(pub Arc<Sources>);
 
 impl ChapterPreprocessor {
-    /// Reads a workspace's sources, and writes the generated files beside the chapters, where
-    /// mdBook finds them and copies them into the book.
+    /// Reads the sources of a workspace. Writes the generated files to a folder beside the
+    /// chapters, from which mdBook copies them into the book.
     pub fn read_sources_and_write_generated(workspace: &Path) -> Result<Self> {
         let folder = workspace.join(CHAPTERS).join(GENERATED);
         let sources = Sources::read(workspace)?;
@@ -28,15 +28,15 @@ impl ChapterPreprocessor {
 }
 
 impl Preprocessor for ChapterPreprocessor {
-    /// The name of the preprocessor in `book.toml`. In a build by `cargo run`, mdBook calls this
-    /// preprocessor instead of running the command that `book.toml` gives under that name.
+    /// The name under which `book.toml` gives a command for this preprocessor. In a build by
+    /// `cargo run`, mdBook calls this object instead of running that command.
     fn name(&self) -> &str {
         "course"
     }
 
     fn run(&self, context: &PreprocessorContext, mut book: Book) -> Result<Book> {
-        // A published book links to the repository. A book that was built at home doesn't name its
-        // folder, since the book may be copied elsewhere.
+        // A published book links to the repository. Any other book says which folder to look for,
+        // but not its path, since the book may be copied to another computer.
         let source_location_markdown =
             match context.config.get::<String>("output.html.git-repository-url")? {
                 Some(url) => format!("at [{url}]({url}): get it with `git clone {url}`"),
@@ -49,7 +49,7 @@ impl Preprocessor for ChapterPreprocessor {
     }
 }
 
-/// Expands all chapters in place, or returns an error with the faults in all of them.
+/// Expands all chapters in place, or returns an error that lists the faults of all chapters.
 fn expand_chapters(
     book: &mut Book,
     sources: &Sources,

@@ -8,8 +8,8 @@ use crate::values::Values;
 /// The maximum number of words in a problem's text.
 pub const MAX_WORDS: usize = 80;
 
-/// The line that begins a problem, such as `{{#problem 7 0.622}}`. It is followed by the problem's
-/// text, `{{#answer}}`, the solution, and `{{#end}}`.
+/// The line that begins a problem, such as `{{#problem 7 0.622}}`. After this line come the text of
+/// the problem, `{{#answer}}`, the solution, and `{{#end}}`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ProblemHeading {
     /// The number of the problem, such as 7.
@@ -33,8 +33,8 @@ impl ProblemHeading {
     }
 
     /// Returns the HTML that begins the problem. In the browser, book/theme/book.js compares the
-    /// reader's number with the answer. A whole number has to be exact, and any other number may
-    /// differ by 1 %.
+    /// reader's number with the answer. If the answer is a whole number, the reader's number has to
+    /// be equal to it. Otherwise the reader's number may differ by 1 %.
     pub fn opening_html(&self) -> String {
         let (number, answer) = (&self.number, self.answer_without_commas());
         let tolerance = if answer.contains('.') { 0.01 } else { 0.0 };
@@ -56,7 +56,7 @@ pub struct Problem {
     pub result: String,
 }
 
-/// A position in the text of a chapter, and the corresponding one in the expanded text.
+/// A position in the text of a chapter, and the corresponding position in the expanded text.
 #[derive(Clone, Copy, Debug)]
 pub struct PositionPair {
     pub in_text: usize,
@@ -80,7 +80,7 @@ impl OpenProblem {
     }
 }
 
-/// The answer to a problem whose `{{#end}}` hasn't been reached yet.
+/// The answer to a problem, before the `{{#end}}` of the problem is reached.
 #[derive(Debug)]
 pub struct OpenAnswer {
     pub problem: OpenProblem,
@@ -92,12 +92,12 @@ pub struct OpenAnswer {
 }
 
 impl OpenAnswer {
-    /// Records where the first bold words begin, and ignores later ones.
+    /// Records where bold words begin, if they are the first in this answer.
     pub fn record_bold_start(&mut self, position: PositionPair) {
         self.bold_start.get_or_insert(position);
     }
 
-    /// Records where bold words end, if they are the first.
+    /// Records where bold words end, if they are the first in this answer.
     pub fn record_bold_end(&mut self, position: PositionPair) {
         self.bold_end.get_or_insert(position);
     }
@@ -123,8 +123,8 @@ impl OpenAnswer {
 }
 
 /// Returns the Markdown for `{{#problem-sheet}}`: the problems from all chapters, then their
-/// answers. Of each answer, only the first bold words are repeated, without the solution.
-/// `chapters` has the title and the problems of each chapter.
+/// answers. Of each answer, the sheet has only the first bold words, not the solution. `chapters`
+/// contains the title and the problems of each chapter.
 pub fn sheet_markdown(
     chapters: &[(String, Vec<Problem>)],
     values: &Values,

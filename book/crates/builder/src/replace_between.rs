@@ -1,4 +1,4 @@
-//! Replaces the pieces of a text that are enclosed by two marks.
+//! Replaces the pieces of a text that are between two marks.
 
 use thiserror::Error;
 
@@ -10,8 +10,8 @@ pub struct MissingEnd {
     end: &'static str,
 }
 
-/// Replaces each piece of a text from `begin` to the next `end` with what `replacement` returns for
-/// the text between the two.
+/// Replaces each piece of a text that goes from `begin` to the next `end`. Calls `replacement` with
+/// the text between these two marks, and inserts the result.
 pub fn replace_between<E: From<MissingEnd>>(
     text: &str,
     begin: &'static str,

@@ -8,16 +8,19 @@ use serde_json::json;
 use std::collections::{BTreeMap, BTreeSet};
 use std::iter;
 
-/// What readers type into the search. The first lines of the file explain its format.
+/// The file of words that readers type into the search. Its first lines explain its format.
 pub const READER_WORDS: &str = include_str!("../search_words.txt");
 
-/// Returns the script that gives the search the text of the book, in nested arrays for
-/// book/theme/search.js. A page consists of its name, its title and its sections. A section
-/// consists of its id, its title, its prose, its listings, and the phrases by which readers look
-/// for it. After the pages come the hints (the section to read, the compiler's messages, and a
-/// sentence) and the groups of synonyms.
+/// Returns the script that gives the text of the book to the search in book/theme/search.js. The
+/// script contains nested arrays of pages, hints and synonyms:
 ///
-/// A section that `reader_words` names but the book doesn't have is a fault.
+/// - A page consists of a name, a title, and sections.
+/// - A section consists of an id, a title, prose, listings, and the phrases by which readers look
+///   for the section.
+/// - A hint consists of the address of a section, error messages, and a sentence.
+/// - A group of synonyms is an array of words.
+///
+/// Returns an error if `reader_words` names a section that the book doesn't have.
 pub fn index_script(site: &Site, reader_words: &str) -> Result<String> {
     let SearchVocabulary { mut phrases, hints, synonyms } = SearchVocabulary::parse(reader_words);
     let mut addresses = BTreeSet::new();
@@ -52,17 +55,17 @@ pub fn index_script(site: &Site, reader_words: &str) -> Result<String> {
     ))
 }
 
-/// What readers type that isn't in the text of the book.
+/// Words that readers type into the search but that aren't in the text of the book.
 #[derive(Debug, Default, PartialEq)]
 struct SearchVocabulary<'a> {
     /// The phrases by which readers look for a section, keyed by the section's address.
     phrases: BTreeMap<&'a str, Vec<&'a str>>,
     hints: Vec<Hint<'a>>,
-    /// Words that mean nearly the same.
+    /// Groups of words that mean nearly the same.
     synonyms: Vec<Vec<&'a str>>,
 }
 
-/// What to do about some messages of the compiler.
+/// What to do about certain error messages, such as those of the compiler.
 #[derive(Debug, PartialEq)]
 struct Hint<'a> {
     /// The address of the section to read.
@@ -107,14 +110,14 @@ fn alt_texts_of_links_to<'a>(page: &'a Page, id: &str) -> Vec<&'a str> {
     links.flat_map(|link| page.descendants(link)).filter_map(|image| image.attr("alt")).collect()
 }
 
-/// A section of a page. In its texts, any whitespace between words is a single space.
+/// A section of a page. In each text, any whitespace between words is a single space.
 #[derive(Debug, Default, PartialEq)]
 struct Section {
     id: String,
     title: String,
-    /// All its text except for listings.
+    /// All text of the section, except for its listings.
     prose: String,
-    /// The text of its listings.
+    /// The text of the listings in the section.
     listings: String,
 }
 
@@ -136,7 +139,8 @@ fn page_sections(page: &Page) -> Vec<Section> {
         } else if let Some(section) = sections.last_mut() {
             section.prose +=
                 &(page.text_without(part, |part| is_skipped(part) || is_listing(part)) + " ");
-            // Listings inside a folded box are searched as well, unless the search skips the box.
+            // Also add listings inside this part, such as those in a folded box, unless the search
+            // skips this part.
             let inside = if is_skipped(part) { &[] } else { page.descendants(part) };
             for listing in iter::once(part).chain(inside).filter(|part| is_listing(part)) {
                 section.listings += &(page.text_without(listing, is_skipped) + " ");
@@ -159,8 +163,8 @@ fn is_listing(element: &Element) -> bool {
     element.attr("data-path").is_some()
 }
 
-/// Whether the search skips an element, because it is hidden, a drawing, or a box with an answer or
-/// hints, which a search result would give away.
+/// Whether the search skips an element. It skips drawings and hidden elements. It also skips boxes
+/// with answers or hints, because a search result would give these away.
 fn is_skipped(element: &Element) -> bool {
     let is_answer = matches!(element.attr("class"), Some("answer" | "hints"));
     is_answer || element.attr("hidden").is_some() || element.tag == "svg"

@@ -1,4 +1,4 @@
-//! Everything that the chapters show: pictures, modules, and computed values.
+//! Access to everything that the chapters show: files, pictures, modules, and computed values.
 
 use crate::values::Values;
 use crate::{Files, figure_file};
@@ -11,21 +11,21 @@ use std::fs;
 use std::io::Cursor;
 use std::path::{Path, PathBuf};
 
-/// The folder for the files that a build generates. It is beside the chapters in the source, and
-/// beside the pages in the built book.
+/// The folder for the files that a build generates. In the source, this folder is beside the
+/// chapters. In the finished book, it is beside the pages.
 pub const GENERATED: &str = "generated/";
 
-/// The widths, in pixels, of the versions of the cover for small screens. On a phone, the cover is
-/// about 350 CSS pixels wide, each of which is 2 or 3 device pixels wide.
+/// The widths, in device pixels, of the cover's versions for small screens. A phone shows the cover
+/// about 350 CSS pixels wide, and a CSS pixel is 2 or 3 device pixels wide.
 const COVER_COLUMNS: [u32; 2] = [720, 960];
 
-/// The number of sub-pixels, in each direction, for a pixel of the cover.
+/// Each pixel of the cover has this number of sub-pixels in each direction.
 const COVER_SAMPLES: u32 = 4;
 
-/// Everything that the chapters show.
+/// Access to everything that the chapters show.
 #[derive(Debug)]
 pub struct Sources {
-    /// The root of the workspace.
+    /// The root of the workspace, from which listings are read.
     pub workspace: PathBuf,
     /// The pictures and scripts in `generated/`.
     pub generated: Files,
@@ -34,8 +34,8 @@ pub struct Sources {
 }
 
 impl Sources {
-    /// Reads the locked pictures, the pictures of the mistakes and the modules, and draws the
-    /// figures.
+    /// Reads the locked pictures, the pictures of the mistakes, and the modules. Draws the figures,
+    /// and the cover for small screens.
     pub fn read(workspace: &Path) -> Result<Self> {
         let mut generated = Files::default();
         let files = &mut generated.0;
@@ -73,13 +73,15 @@ impl Sources {
         Ok(Self { workspace: workspace.to_owned(), generated, values: Values::default() })
     }
 
-    /// The width and height, in pixels, of a picture in `generated/`, or None if it isn't there.
+    /// The width and height, in pixels, of the picture with the address `source`. Returns None if
+    /// there is no such picture in `generated/`.
     pub fn picture_size(&self, source: &str) -> Option<(u32, u32)> {
         let file = self.generated.0.get(source.strip_prefix(GENERATED)?)?;
         ImageReader::new(Cursor::new(file)).with_guessed_format().ok()?.into_dimensions().ok()
     }
 
-    /// The smaller sizes of a picture, each with its width and address. Only the cover has any.
+    /// The width and address of each smaller version of a picture. Only the cover has smaller
+    /// versions.
     pub fn smaller_sizes(&self, source: &str) -> Vec<(u32, String)> {
         let name = source.strip_suffix(".png").unwrap_or(source);
         let all = COVER_COLUMNS.map(|columns| (columns, smaller_picture_name(name, columns)));
@@ -87,18 +89,18 @@ impl Sources {
     }
 }
 
-/// The name of a picture that is drawn with fewer columns than the picture called `name`.
+/// The file name of the smaller version, `columns` pixels wide, of the picture `name`.
 fn smaller_picture_name(name: &str, columns: u32) -> String {
     format!("{name}-{columns}.png")
 }
 
-/// The name of a step's right picture, at the reduced size of the mistakes' pictures.
+/// The file name of a step's right picture, reduced to the size that the pictures of mistakes have.
 pub fn small_picture_name(step: Step) -> String {
     format!("{}-small.png", step.name())
 }
 
 /// Inserts a script that contains these bytes. A page that was opened from a folder can load
-/// scripts but no other files, so data has to come as a script.
+/// scripts, but it can't fetch data, so all data has to be in scripts.
 fn insert_bytes_as_script(files: &mut BTreeMap<String, Vec<u8>>, name: &str, bytes: &[u8]) {
     let bytes = BASE64_STANDARD.encode(bytes);
     let script = format!("book.modules.provide(\"{name}\", \"{bytes}\");\n");

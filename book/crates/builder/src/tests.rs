@@ -1,4 +1,5 @@
-//! Tests of what a chapter may contain, which faults are reported, and how pages are checked.
+//! Tests of how chapters are expanded, which faults are reported, and what the search index
+//! contains.
 
 use crate::chapter::{ExpandedChapter, expand_chapter};
 use crate::directive::DirectiveKind;
@@ -56,7 +57,7 @@ fn each_fault_is_reported_with_its_line() {
     insta::assert_snapshot!(faults.replace(&not_found, "[not found]"));
 }
 
-/// Programs for making slides, unlike browsers, may not support CSS variables and `light-dark`.
+/// The files are for slides, and not all programs for slides support CSS variables and functions.
 #[test]
 fn svg_files_of_figures_have_no_css_variables_or_functions() {
     let files: Vec<_> = SOURCES.generated.texts_with_suffix(".svg").collect();
@@ -115,7 +116,7 @@ fn problems_are_numbered_in_order_and_their_bold_answers_match_their_headings() 
     for (number, problem) in (1..).zip(&problems) {
         let Problem { heading, text, result } = problem;
         assert_eq!(heading.number, number.to_string(), "{text}");
-        // The sheet repeats the bold words.
+        // The sheet gives the bold words as the answer, so they have to match the heading.
         let bold = result.trim_matches('*').trim_end_matches(['.', '°', '%']).trim_end();
         assert_eq!(heading.answer, bold, "{text}");
     }

@@ -1,13 +1,13 @@
 //! The numbers that `{{#value …}}` puts into a chapter, computed when the book is built.
 //!
-//! - `FIGURE:NAME` is one of a figure's numbers, with default parameters, such as `row:D`.
-//! - `FIGURE:I,J:NAME` is a number for a pixel of a picture with a probe, such as
+//! - `FIGURE:NAME` is a number of a figure that has its default parameters. An example is `row:D`.
+//! - `FIGURE:I,J:NAME` is a number of a picture whose probe is at the pixel (I, J). An example is
 //!   `step04_diffuse:470,120:t`.
-//! - `R_d:OBJECT` is the R_d of an object in the scene, such as `R_d:salmon sphere`.
-//! - `NAME` is a number for a whole picture: a count of rays or pixels, or the largest change in a
-//!   pixel.
+//! - `R_d:OBJECT` is the R_d of an object in the scene. An example is `R_d:salmon sphere`.
+//! - `NAME` is a number for a whole picture: a count of rays or pixels, or the largest change of
+//!   any pixel.
 //!
-//! All numbers of a figure are computed together and cached, since chapters use several of them.
+//! A figure computes all its numbers together. They are cached, since chapters use several of them.
 
 use crate::fault::{ChapterError, ChapterResult};
 use course::{camera, colour_without_gate, discriminant, largest_channel_difference, primary_rays};
@@ -24,7 +24,7 @@ use step05_phong::{picture, render, scene};
 pub enum Notation {
     /// For sentences, with a minus sign (−).
     Prose,
-    /// For code and LaTeX, with a hyphen.
+    /// For code and LaTeX, with a hyphen in place of the minus sign.
     Code,
 }
 
@@ -35,11 +35,12 @@ pub struct Values {
     readouts: Mutex<BTreeMap<FigureAndPixel, Readouts>>,
 }
 
-/// The name of a figure, and a pixel such as `470,120`, or None for the default one.
+/// The name of a figure, and the pixel at its probe, such as `470,120`. The pixel is None if the
+/// figure has its default parameters.
 type FigureAndPixel = (String, Option<String>);
 
 impl Values {
-    /// The text of `{{#value name}}`.
+    /// Returns the text that replaces `{{#value name}}`.
     pub fn text(&self, name: &str, notation: Notation) -> ChapterResult<String> {
         let text = match name.split_once(':') {
             Some(("R_d", object)) => diffuse_reflectance_text(object),
@@ -49,16 +50,15 @@ impl Values {
         let text = text.ok_or_else(|| ChapterError::UnknownValue(name.to_owned()))?;
         Ok(match notation {
             Notation::Prose => text,
-            // The figures write readouts only in the notation for prose, since pages never show
-            // them in code. Otherwise every function in `figures` that writes a number would need
-            // the notation as a parameter. Replacing the sign is safe, because a readout has − only
-            // before digits.
+            // The crate `figures` writes all readouts as prose, because pages never update numbers
+            // in code. That saves its functions a parameter for the notation. Replacing the sign
+            // here is safe, because a readout has − only before digits.
             Notation::Code => text.replace('−', "-"),
         })
     }
 
-    /// Returns a figure's readout, such as `D`, for the default parameters. For a picture with a
-    /// probe, the readout may name a pixel first, such as `470,120:t`.
+    /// Returns a readout, such as `D`, of a figure that has its default parameters. If the figure
+    /// has a probe, `readout` may begin with the pixel at the probe, as in `470,120:t`.
     fn readout(&self, figure_name: &str, readout: &str) -> Option<String> {
         let figure = figures::find_figure(figure_name)?;
         let (pixel, readout) = match readout.split_once(':').filter(|_| figure.probe().is_some()) {
@@ -75,8 +75,8 @@ impl Values {
     }
 }
 
-/// Computes all readouts of a figure, with `pixel` chosen if it isn't None. Returns None if there
-/// is no such pixel.
+/// Computes all readouts of a figure whose probe is at `pixel`. If `pixel` is None, the figure has
+/// its default parameters. Returns None if the figure has no such pixel.
 fn compute_readouts(figure: &Figure, pixel: Option<&str>) -> Option<Readouts> {
     let values = match pixel {
         Some(pixel) => {
@@ -88,8 +88,7 @@ fn compute_readouts(figure: &Figure, pixel: Option<&str>) -> Option<Readouts> {
     Some((figure.readouts)(&values))
 }
 
-/// Computes the count of rays or pixels with this name, or the largest change in a pixel. Returns
-/// None for an unknown name.
+/// Computes the number for a whole picture that has this name. Returns None for an unknown name.
 fn whole_picture_number(name: &str) -> Option<usize> {
     Some(match name {
         "step02-touches" => count_primary_rays(|ray| discriminant(&SPHERE, ray) == 0.0),
@@ -103,7 +102,8 @@ fn whole_picture_number(name: &str) -> Option<usize> {
             let nearest = nearest(&OBJECTS, ray).map(|hit| hit.object);
             hit_indices(ray).last().map(|k| &OBJECTS[k]) != nearest
         }),
-        // Object 4 is the sphere behind the eye, so rays hit it only at negative t.
+        // Object 4 is the sphere behind the eye. Rays meet it only at negative t, which `first_hit`
+        // leaves out, so the discriminant decides.
         "step03-behind" => count_primary_rays(|ray| discriminant(&OBJECTS[4].sphere, ray) >= 0.0),
         "step05-gate-pixels" => pixel_changes_without_gate().len(),
         "step05-gate-most" => pixel_changes_without_gate().into_iter().max().unwrap_or(0),
@@ -111,7 +111,7 @@ fn whole_picture_number(name: &str) -> Option<usize> {
     })
 }
 
-/// The text of the R_d of the object with this name in the scene.
+/// Writes the R_d of an object. Returns None if the scene has no object with this name.
 fn diffuse_reflectance_text(object: &str) -> Option<String> {
     let object = scene().objects.into_iter().find(|candidate| candidate.name == object)?;
     let [r, g, b] = object.material.matte.diffuse.to_array();
@@ -122,14 +122,14 @@ fn count_primary_rays(predicate: impl Fn(&Ray) -> bool) -> usize {
     primary_rays().filter(predicate).count()
 }
 
-/// The indices of the objects that a ray hits.
+/// The indices, in `OBJECTS`, of the objects that a ray hits.
 fn hit_indices(ray: &Ray) -> impl Iterator<Item = usize> {
     let has_hit = |k: &usize| OBJECTS[*k].sphere.intersect(ray).first_hit().is_some();
     (0..OBJECTS.len()).filter(has_hit)
 }
 
-/// Draws the picture without the test of n·l. Returns the change in each pixel that differs from
-/// the right picture, and leaves out the others.
+/// Draws the picture without the gate, which is the test of n·l, and compares the result with the
+/// right picture. Returns the size of the change for each pixel that changes.
 fn pixel_changes_without_gate() -> Vec<usize> {
     let scene = scene();
     let ungated = render(&camera(), 1, |ray| colour_without_gate(&scene, ray));
@@ -147,7 +147,8 @@ mod tests {
     fn readouts_of_a_figure_are_computed_once() {
         let values = Values::default();
         values.text("step02_sphere:300,150:a0", Notation::Prose).expect("the value exists");
-        // Put a text into the cache. If the readouts were computed again, it would be lost.
+        // Change a text in the cache. This change would be lost if the readouts were computed
+        // again.
         let key = ("step02_sphere".to_owned(), Some("300,150".to_owned()));
         let mut known = values.readouts.lock().expect("the lock isn't poisoned");
         let readouts = known.get_mut(&key).expect("the readouts of the pixel are cached");
