@@ -1,6 +1,6 @@
-//! Parameter values in the two forms that pages use: the address of a scene, such as
-//! `red-sphere-radius:2,camera-roll:45`, and the numbers in a request, each with its parameter's
-//! name.
+//! Parameter values in the two forms that pages use:
+//! - the address of a scene, such as `red-sphere-radius:2,camera-roll:45`;
+//! - the numbers in a request, each with the name of a parameter.
 
 use crate::{Figure, Parameter, ParameterValues};
 use thiserror::Error;
@@ -20,10 +20,10 @@ pub enum AddressError {
         parameter: String,
         /// The value in the address.
         value: String,
-        /// The smallest and the largest value.
+        /// The smallest and the largest allowed value.
         range: [f64; 2],
     },
-    /// Each value is allowed, but all of them together leave nothing to show.
+    /// Each value is allowed by itself, but together they leave nothing to show.
     #[error("There is nothing to show at this address.")]
     NothingToShow,
 }
@@ -47,8 +47,8 @@ pub fn format_address(figure: &Figure, values: &ParameterValues) -> String {
     different.collect::<Vec<_>>().join(",")
 }
 
-/// Parses an address, whose values must be within their ranges. A parameter that isn't mentioned
-/// has its default.
+/// Parses an address. A value outside its parameter's range is an error. A parameter that the
+/// address doesn't mention has its default.
 pub fn parse_address(figure: &Figure, address: &str) -> Result<ParameterValues, AddressError> {
     let mut values = figure.default_values();
     for part in address.split(',').filter(|part| !part.is_empty()) {
@@ -65,8 +65,8 @@ pub fn parse_address(figure: &Figure, address: &str) -> Result<ParameterValues, 
     figure.nearest_allowed_values(&values).ok_or(AddressError::NothingToShow)
 }
 
-/// Converts the numbers in a request to allowed values. A number outside its parameter's range
-/// becomes the nearest one within it, and a parameter that isn't mentioned has its default.
+/// Replaces each number in a request with the nearest value that its parameter allows. A number
+/// that isn't finite is an error. A parameter that the request doesn't mention has its default.
 pub fn allowed_values(
     figure: &Figure,
     numbers: &[(String, f64)],
@@ -95,7 +95,7 @@ mod tests {
 
     #[test]
     fn address_has_the_values_that_differ_from_the_defaults() {
-        let figure = find_figure("own_scene").expect("a figure");
+        let figure = find_figure("own_scene").expect("the figure exists");
         for address in ["", "camera-roll:45", "red-sphere-radius:2,cool-light-on:0"] {
             let values = parse_address(figure, address).expect(address);
             let mut parts: Vec<_> =
@@ -109,11 +109,12 @@ mod tests {
 
     #[test]
     fn number_out_of_range_is_an_error_in_an_address_and_is_clamped_in_a_request() {
-        let figure = find_figure("own_scene").expect("a figure");
-        let error = parse_address(figure, "red-sphere-radius:7").expect_err("too large");
+        let figure = find_figure("own_scene").expect("the figure exists");
+        let error =
+            parse_address(figure, "red-sphere-radius:7").expect_err("the radius is too large");
         assert!(matches!(error, AddressError::NotAllowed { range: [0.05, 3.0], .. }), "{error}");
         let request = |radius| [("red-sphere-radius".to_owned(), radius)];
-        let values = allowed_values(figure, &request(7.0)).expect("values");
+        let values = allowed_values(figure, &request(7.0)).expect("the radius is clamped");
         assert_eq!(format_address(figure, &values), "red-sphere-radius:3");
         for radius in [f64::NAN, f64::INFINITY] {
             assert!(allowed_values(figure, &request(radius)).is_err(), "{radius}");
@@ -125,7 +126,7 @@ mod tests {
 
     #[test]
     fn error_names_the_unknown_parameter() {
-        let figure = find_figure("row").expect("a figure");
+        let figure = find_figure("row").expect("the figure exists");
         let expected = AddressError::UnknownParameter("moon".to_owned());
         assert_eq!(parse_address(figure, "moon:1").as_ref(), Err(&expected));
         let request = [("moon".to_owned(), 1.0)];

@@ -13,8 +13,8 @@ pub const WIDTH: f64 = 480.0;
 /// A drawing in SVG, 480 wide. x points right and y points down, and a line of text is about 20
 /// high.
 ///
-/// Every element has a class, through which the theme's style sheet gives it its colours. Labels are
-/// on top of everything else.
+/// Balls and pixels set their own colours. All other elements get their colours from the theme's
+/// style sheet, which selects them by class. Labels are on top of everything else.
 #[derive(Clone, Debug)]
 pub struct Drawing {
     height: f64,
@@ -75,7 +75,7 @@ impl Drawing {
         self.circle(&format!("{class} dot"), centre, 4.5);
     }
 
-    /// Draws a solid ball, or its image, which may be an ellipse.
+    /// Draws a solid ball, or the image of a ball, which may be an ellipse.
     pub fn ball(&mut self, shading: &Shading, centre: DVec2, half_axes: DVec2) {
         self.gradients.entry(shading.id).or_insert_with(|| shading.svg());
         let (id, DVec2 { x, y }) = (shading.id, centre);
@@ -85,7 +85,7 @@ impl Drawing {
         );
     }
 
-    /// Draws a pixel as a disc in its own colour.
+    /// Draws a disc in the colour of a pixel.
     pub fn pixel_disc(&mut self, centre: DVec2, radius: f64, [red, green, blue]: [u8; 3]) {
         let DVec2 { x, y } = centre;
         self.shapes += &format!(
@@ -93,27 +93,28 @@ impl Drawing {
         );
     }
 
-    /// Draws an arc around `centre` from one angle to another. Angles are in radians, anticlockwise
-    /// from the x axis.
+    /// Draws an arc around `centre` from one angle to another. Angles are in radians, and are
+    /// measured anticlockwise from the x axis.
     pub fn arc(&mut self, class: &str, centre: DVec2, radius: f64, [start, end]: [f64; 2]) {
         let angle = |k: i32| start + (end - start) * f64::from(k) / 24.0;
         let view = View { origin: centre, scale: DVec2::splat(radius) };
         self.path(class, (0..=24).map(|k| view.to_drawing(DVec2::from_angle(angle(k)))));
     }
 
-    /// Writes text centred at a position; with the class `start` it begins there, and with `end` it
-    /// ends there. Symbols are between dollar signs: `$V_0$` is a V with a subscript 0.
+    /// Writes text that is centred at a position. With the class `start`, the text begins there,
+    /// and with the class `end`, it ends there. Symbols are between dollar signs: `$V_0$` is a V
+    /// with a subscript 0.
     ///
-    /// Text that would be cut off at the border, or lie on an earlier label, is moved to the nearest
-    /// free position.
+    /// Text that would be cut off at the border, or overlap an earlier label, is moved to the
+    /// nearest free position.
     pub fn label(&mut self, class: &str, position: DVec2, text: &str) {
         let position = self.nearest_free(class, position, text);
         self.labels.push(Label { class: class.into(), position, text: text.into() });
     }
 
     /// Finds the position nearest to `position` at which a label is inside the drawing and overlaps
-    /// no other label. If there is no such position nearby, the label is only moved inside the
-    /// drawing.
+    /// no other label. If there is none nearby, the label is moved inside the drawing, but may
+    /// overlap another label.
     fn nearest_free(&self, class: &str, position: DVec2, text: &str) -> DVec2 {
         let box_at = |position| LabelBox::new(class, position, text);
         let inside = position + box_at(position).shift_into(dvec2(WIDTH, self.height));
@@ -129,7 +130,7 @@ impl Drawing {
         candidates.find(is_free).unwrap_or(inside)
     }
 
-    /// The labels' texts, and the boxes that they fill.
+    /// The text of each label, and the box that the label fills.
     pub fn label_boxes(&self) -> impl Iterator<Item = (&str, LabelBox)> {
         let labels = self.labels.iter();
         labels
@@ -157,7 +158,7 @@ impl Drawing {
     }
 }
 
-/// The directions in which a label may be moved to a free place, the preferred ones first.
+/// The directions in which a label may be moved to a free place, in order of preference.
 const DIRECTIONS: [DVec2; 8] = [
     dvec2(0.0, -1.0),
     dvec2(1.0, 0.0),

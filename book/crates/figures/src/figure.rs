@@ -1,4 +1,4 @@
-//! A figure: what it shows, what the reader can set, and what it reads out.
+//! A figure: its content, what the reader can set, and its readouts.
 
 use crate::{Drawing, Handle, Mark, Parameter, ParameterId, ParameterValues};
 use glam::DVec2;
@@ -12,18 +12,19 @@ pub struct Figure {
     pub name: &'static str,
     /// What the figure shows.
     pub content: Content,
-    /// The figure whose values this one takes instead of having controls of its own.
+    /// The name of the figure whose values this figure shows. None if this figure has values of its
+    /// own.
     pub follows: Option<&'static str>,
     /// The numbers that the reader can set.
     pub parameters: Vec<Parameter>,
     /// The marks that the reader can drag.
     pub handles: Vec<Handle>,
-    /// Writes the texts elsewhere on the page that depend on the values.
+    /// Formats the readouts: texts elsewhere on the page, which depend on the values.
     pub readouts: fn(&ParameterValues) -> Readouts,
-    /// The number of rows in the table of a pixel's trace, 0 if there is none. [`row_readout_name`]
-    /// returns the name of a row's readout.
+    /// The number of rows in the table that shows a pixel's trace, or 0 if there is no table.
+    /// [`row_readout_name`] returns the names of a row's readouts.
     pub row_count: usize,
-    /// Extras for a scene that the reader edits. None for all other figures.
+    /// Additions for a scene that the reader can edit. None for any other figure.
     pub editable_scene: Option<EditableScene>,
     /// Whether there is anything to show at these values.
     pub has_something_to_show: fn(&ParameterValues) -> bool,
@@ -48,11 +49,12 @@ pub enum Content {
     },
 }
 
-/// Texts, keyed by name: numbers and vectors, formatted for the page, and some phrases.
+/// Texts that depend on a figure's values, keyed by name. Most are formatted numbers or vectors,
+/// and some are phrases.
 pub type Readouts = BTreeMap<String, String>;
 
-/// The name of a readout in a row of a table, such as a3 for the column a and the row 3. Rows count
-/// from 0.
+/// The name of the readout in one row and column of a table: `a3` in row 3 of the column `a`. Rows
+/// are counted from 0.
 pub fn row_readout_name(column: &str, row: usize) -> String {
     format!("{column}{row}")
 }
@@ -64,22 +66,22 @@ pub fn collect_readouts<const N: usize>(texts: [(&str, String); N]) -> Readouts 
     readouts
 }
 
-/// A scene in which the reader can set everything. Its parameters belong to objects, and the page
-/// shows the controls of one object at a time.
+/// A scene in which the reader can set everything. Every parameter of the figure belongs to an
+/// object, and the page shows the controls of one object at a time.
 #[derive(Debug)]
 pub struct EditableScene {
     /// Formats the Rust program that draws the scene.
     pub program: fn(&ParameterValues) -> String,
     /// Finds the object at a position in the picture.
     pub object_at: fn(&ParameterValues, DVec2) -> Option<&'static str>,
-    /// The objects that have a colour, with the parameters for its three channels.
+    /// Every object that has a colour, with the parameters for red, green and blue.
     pub colour_parameters: Vec<(&'static str, [ParameterId; 3])>,
 }
 
 impl Content {
-    /// Drops a drawing's title and caption in the modules, because the builder has already printed
-    /// both. This function and [`Figure::new`] are inlined, so that the compiler leaves these strings
-    /// out of the module.
+    /// In the pages' modules, drops a drawing's title and caption, because the builder has already
+    /// printed both. This function and [`Figure::new`] are inlined, so that the compiler leaves
+    /// both strings out of the modules.
     #[inline(always)]
     fn without_title_and_caption_in_modules(self) -> Self {
         match self {
@@ -129,8 +131,8 @@ impl Figure {
         (allowed == values).then_some(values)
     }
 
-    /// Returns the values after a handle is dragged to a position, or None if the figure has nothing
-    /// to show at these values.
+    /// Returns the values after a handle is dragged to a position. Returns None if the handle can't
+    /// be dragged, or if the figure has nothing to show at the new values.
     pub fn drag_handle(
         &self,
         values: &ParameterValues,
@@ -144,8 +146,8 @@ impl Figure {
         self.nearest_allowed_values(&new)
     }
 
-    /// Replaces each value with the nearest one that its parameter allows. Returns None if a value
-    /// isn't finite, or if the figure has nothing to show at the new values.
+    /// Replaces each value with the nearest value that its parameter allows. Returns None if a
+    /// value isn't finite, or if the figure has nothing to show at the new values.
     pub fn nearest_allowed_values(&self, values: &ParameterValues) -> Option<ParameterValues> {
         let allowed = self
             .parameters
@@ -163,8 +165,9 @@ mod tests {
 
     #[test]
     fn only_a_pixel_of_the_picture_can_be_probed() {
-        let values = |name, pixel| find_figure(name).expect("a figure").values_at_pixel(pixel);
-        let corner = values("step02_sphere", [639.0, 0.0]).expect("a pixel");
+        let values =
+            |name, pixel| find_figure(name).expect("the figure exists").values_at_pixel(pixel);
+        let corner = values("step02_sphere", [639.0, 0.0]).expect("the picture has this pixel");
         assert_eq!((corner[I], corner[J]), (639.0, 0.0));
         for outside in [[640.0, 0.0], [0.0, -1.0], [0.5, 0.0], [f64::NAN, 0.0]] {
             assert_eq!(values("step02_sphere", outside), None, "{outside:?}");

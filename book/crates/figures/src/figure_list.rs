@@ -5,7 +5,7 @@ use crate::pictures::*;
 use crate::{Figure, own_scene};
 use std::sync::LazyLock;
 
-/// Every figure: first the drawings, then the pictures, each in the order of the book.
+/// Every figure: first the drawings, then the pictures, both in the order of the book.
 pub static FIGURES: LazyLock<Vec<Figure>> = LazyLock::new(|| {
     vec![
         ray::figure(),

@@ -13,7 +13,7 @@ pub fn format_rounded(number: f64, digits: i32) -> String {
     format_number((number * power).round() / power)
 }
 
-/// The name that the chapters use for an object: for a sphere, its colour.
+/// The name that the chapters use for an object. For a sphere, this is its colour.
 pub fn short_name(object_name: &str) -> &str {
     object_name.trim_end_matches(" sphere")
 }

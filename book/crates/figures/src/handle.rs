@@ -8,7 +8,7 @@ use step01_rays::Camera;
 
 /// A mark in a drawing or a picture that the reader can drag, or move with the arrow keys.
 ///
-/// Its position is in the coordinates of the drawing, or in pixels.
+/// Its position is in the coordinates of the drawing, or in pixels of the picture.
 pub struct Handle {
     /// The name that readers see, and hear from a screen reader.
     pub label: &'static str,
@@ -19,15 +19,15 @@ pub struct Handle {
     /// The parameter that the up and down arrow keys change. It may be the same as `horizontal`.
     pub vertical: ParameterId,
     /// The parameter for the coordinate that points towards the reader, if the page lets the reader
-    /// change it.
+    /// change this coordinate.
     pub depth: Option<ParameterId>,
-    /// The switch that adds the handle's object to the scene, if there is one.
+    /// The switch that adds the handle's object to the scene, if there is such a switch.
     pub presence: Option<ParameterId>,
     /// The handle's position at these values, or None if there is nothing to drag.
     pub locate: Box<Locate>,
-    /// The values of `horizontal` and `vertical` that move the handle to a position, or near it. The
-    /// two are equal if `horizontal` and `vertical` are the same parameter. None if there is nothing
-    /// to drag.
+    /// The values of `horizontal` and `vertical` that move the handle to a position, or near it.
+    /// The two values are equal if `horizontal` and `vertical` are the same parameter. None if
+    /// there is nothing to drag.
     pub coordinates_at: Box<CoordinatesAt>,
 }
 
@@ -56,7 +56,7 @@ pub enum Mark {
     Point,
     /// A dotted ring, which moves a light.
     Light,
-    /// A cross at the pixel whose trace is read out. It doesn't change the picture.
+    /// A cross at the pixel whose trace the page shows. Dragging it doesn't change the picture.
     Probe,
 }
 
@@ -72,7 +72,7 @@ impl Mark {
 }
 
 impl Handle {
-    /// A handle that sets two parameters. The arguments are described at the fields.
+    /// A handle that sets two parameters. The arguments become the fields with the same names.
     pub fn new(
         label: &'static str,
         [horizontal, vertical]: [ParameterId; 2],
@@ -104,8 +104,8 @@ impl Handle {
         Self::new(label, [parameter; 2], move |values| Some(locate(values)), value_at)
     }
 
-    /// A handle at this distance from the origin that sets an angle, measured to the left of
-    /// straight up. The angle is between −90° and 270°.
+    /// A handle that sets an angle, at a fixed distance from the origin. The angle is measured from
+    /// straight up to the left, and is between −90° and 270°.
     pub fn of_degrees_left_of_up(
         label: &'static str,
         parameter: ParameterId,
@@ -128,9 +128,9 @@ impl Handle {
     }
 
     /// A handle in a picture that sets the x and y of a point in the world, and keeps the point's
-    /// z. The handle can't be dragged closer than `margin` to the border. It stays where it is if
-    /// the ray through the new position has no point with this z. If `camera_and_point` returns
-    /// None, there is nothing to drag.
+    /// z. The handle can't be dragged closer to the border than `margin`. If the ray through the
+    /// new position has no point with this z, the handle stays where it is. If `camera_and_point`
+    /// returns None, there is nothing to drag.
     pub fn of_world_point_in_picture(
         label: &'static str,
         coordinates: [ParameterId; 2],
@@ -143,7 +143,7 @@ impl Handle {
     ) -> Self {
         let locate = move |values: &ParameterValues| {
             let (camera, point) = camera_and_point(values)?;
-            // Solves p = C + d [D_u D_v V_0] (i, j, 1)ᵀ, where d is the depth.
+            // Solves p = C + d [D_u D_v V_0] (i, j, 1)ᵀ for i, j and the depth d.
             let pixel = camera.matrix.inverse() * (point - camera.centre);
             (pixel.z > 0.0).then(|| pixel.truncate() / pixel.z + 0.5)
         };
@@ -184,8 +184,9 @@ mod tests {
             (271.0, -89.0),
             (-91.0, 269.0),
         ] {
-            let position = (handle.locate)(&values(to)).expect("a position");
-            let new = (handle.coordinates_at)(&values(0.0), position).expect("an angle");
+            let position = (handle.locate)(&values(to)).expect("the handle has a position");
+            let new =
+                (handle.coordinates_at)(&values(0.0), position).expect("the handle can be dragged");
             assert!((new - angle).length() < 1e-9, "{to}: {new}");
         }
     }

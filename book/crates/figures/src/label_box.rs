@@ -5,7 +5,7 @@ use glam::DVec2;
 /// A rectangle that contains the text of a label.
 ///
 /// The width is an estimate from the characters, because only a browser knows the fonts. A test in
-/// tests/browser looks for real labels that overlap.
+/// tests/browser checks whether labels overlap in a browser.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LabelBox {
     min: DVec2,
@@ -13,10 +13,10 @@ pub struct LabelBox {
 }
 
 impl LabelBox {
-    /// The box around a text of this class, with its baseline at `position`.
+    /// The box around a text that has this class. The text's baseline is at `position`.
     pub fn new(class: &str, position: DVec2, text: &str) -> Self {
         let has = |name: &str| class.split(' ').any(|word| word == name);
-        // These are the sizes in the theme's css/drawing.css. Small text has the size that it gets
+        // These are the sizes in the theme's css/drawing.css. Small text has the size that it has
         // on a phone, where it is largest.
         let size = match () {
             () if ["strong", "accent", "second"].into_iter().any(has) => 18.0,

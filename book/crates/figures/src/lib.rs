@@ -1,15 +1,18 @@
 //! The book's interactive figures, drawn by the steps' own code.
 //!
-//! A [`Figure`] shows a *drawing*, which has lines and labels, or a *picture*, which has pixels.
-//! Both are functions of the values of the figure's named *parameters*. The builder prints the
-//! result for the default values. When a reader moves a *handle* or a control, the page calls the
-//! same function, compiled for the browser: it sends a [`FigureRequest`] and gets a [`Reply`].
+//! A [`Figure`] shows a *drawing*, which has lines and labels, or a *picture*, which has pixels. A
+//! function computes the drawing or picture from the values of the figure's named *parameters*. The
+//! builder calls this function with the default values, and prints the result. When a reader moves
+//! a *handle* or a control, the page calls the same function, compiled for the browser: the page
+//! sends a [`FigureRequest`] and gets a [`Reply`].
 //!
-//! *Readouts* are texts elsewhere on the page that depend on the values. The *trace* of a pixel is
-//! every number from its ray to its bytes, and a *probe* is the handle that selects the pixel.
+//! *Readouts* are texts elsewhere on the page that depend on the values. The *trace* of a pixel
+//! consists of all numbers from the pixel's ray to its bytes. A *probe* is a handle that selects
+//! the pixel.
 //!
-//! This crate doesn't read the book. But a drawing's caption is Markdown as in a chapter, with
-//! directives such as `{{#number row:D}}`, which the builder expands.
+//! This crate doesn't read the book's chapters. However, a drawing's caption is written like a
+//! chapter: in Markdown, with directives such as `{{#number row:D}}`. The builder expands the
+//! directives.
 
 mod format;
 pub use format::{format_count, short_name};

@@ -3,29 +3,32 @@
 use crate::format::format_number;
 use crate::{ParameterId, ParameterValues, PointId};
 
-/// A number that the reader can set, with a control below a figure or with a handle in it.
+/// A number that the reader can set with a control below the figure, or with a handle in the
+/// figure.
 ///
-/// A page gets everything about it from this struct: the builder prints the control, and the reply
-/// to `about` has the rest.
+/// All that a page knows about a parameter comes from this struct: the builder prints the control,
+/// and the reply to an `About` request contains the rest.
 #[derive(Clone, Debug)]
 pub struct Parameter {
-    /// The name under which its value is stored.
+    /// The name under which the parameter's value is stored.
     pub id: ParameterId,
-    /// The symbol, written as in the formulas, or an empty string.
+    /// The symbol, written as in the formulas. Empty if there is none.
     pub symbol: &'static str,
     /// The name that readers see, after the symbol.
     pub label: String,
-    /// The unit, such as °, or an empty string.
+    /// The unit, such as °. Empty if there is none.
     pub unit: &'static str,
-    /// The default value, which is the one in the printed book.
+    /// The default value, which the printed book also uses.
     pub default: f64,
     /// The smallest and the largest allowed value.
     pub range: [f64; 2],
-    /// The number of allowed values per unit.
+    /// The number of steps from one whole number to the next. Neighbouring allowed values are one
+    /// step apart.
     pub steps_per_unit: f64,
     /// What the value means, which determines the kind of control.
     pub kind: ParameterKind,
-    /// The direction in which a handle moves when the value grows. None if it isn't a coordinate.
+    /// The direction in which a handle moves when the value grows. None if the parameter isn't a
+    /// coordinate.
     pub axis: Option<Axis>,
     /// Whether the page shows a control for this parameter at these values of all parameters.
     pub has_control: fn(&Self, &ParameterValues) -> bool,
@@ -36,9 +39,9 @@ pub struct Parameter {
 pub enum ParameterKind {
     /// A number.
     Number,
-    /// One of these names, by index.
+    /// The index of one of these names.
     Choice(&'static [&'static str]),
-    /// On if 1, off if 0.
+    /// 1 if the switch is on, 0 if it is off.
     Switch,
 }
 
@@ -102,7 +105,7 @@ impl Parameter {
         Self { axis: Some(axis), ..self }
     }
 
-    /// The x and y of a point.
+    /// The parameters for the x and y of a point.
     pub fn point(
         id: PointId,
         [x, y]: [f64; 2],

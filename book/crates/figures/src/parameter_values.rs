@@ -7,7 +7,7 @@ use std::ops::Index;
 
 /// The name of a parameter, unique within its figure.
 ///
-/// It is displayed as one word, such as `red-sphere-radius`, which is the name that pages use.
+/// It is displayed as one word, such as `red-sphere-radius`. Pages use this word for the parameter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct ParameterId {
     object: Option<&'static str>,
@@ -28,8 +28,8 @@ impl ParameterId {
     /// Whether the id is displayed as `word`.
     pub fn is_displayed_as(self, word: &str) -> bool {
         let object = self.object.into_iter().flat_map(|object| object.bytes().chain([b'-']));
-        // A request may name 180 parameters, and each name is compared with the ids one by one.
-        // Most ids have another length, which is quick to compare.
+        // A request may name 180 parameters, and each name is compared with one id after another.
+        // The lengths are compared first, because this is quick and rules out most ids.
         let length = self.object.map_or(0, |object| object.len() + 1) + self.name.len();
         let is_equal = |(a, b)| a == if b == b' ' { b'-' } else { b };
         word.len() == length && word.bytes().zip(object.chain(self.name.bytes())).all(is_equal)
@@ -50,7 +50,8 @@ impl Display for ParameterId {
     }
 }
 
-/// A point whose coordinates are parameters. It has a name in words, such as "the start S".
+/// A point whose coordinates are parameters. The field is the point's name in words, such as "the
+/// start S".
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PointId(pub &'static str);
 
@@ -65,7 +66,7 @@ impl PointId {
         ParameterId::of(self.0, "y")
     }
 
-    /// The name of the parameter for the point's z, if it has one.
+    /// The name of the parameter for the point's z, if the point has a z.
     pub const fn z(self) -> ParameterId {
         ParameterId::of(self.0, "z")
     }

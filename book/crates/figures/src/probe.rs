@@ -1,4 +1,4 @@
-//! The probe in a picture: a cross at the pixel whose trace is read out.
+//! The probe in a picture: a cross at the pixel whose trace the page shows.
 
 use crate::parameter::Axis;
 use crate::{Content, Figure, Handle, Mark, Parameter, ParameterId, ParameterValues};
@@ -14,8 +14,8 @@ pub const SIZE: DVec2 = dvec2(PICTURE_COLUMNS as f64, PICTURE_ROWS as f64);
 pub const I: ParameterId = ParameterId::new("i");
 pub const J: ParameterId = ParameterId::new("j");
 
-/// A figure that shows a picture of the course's size, with a probe that is at the pixel (i, j) by
-/// default, and with these other parameters.
+/// A figure that shows a picture as large as the course's. It has `other_parameters` and a probe,
+/// which is at the pixel (i, j) by default.
 pub fn probed_picture(
     name: &'static str,
     [i, j]: [f64; 2],

@@ -1,4 +1,4 @@
-//! Replies to requests from a page about a figure.
+//! Replies to a page's requests about a figure.
 
 use crate::address::{allowed_values, format_address, parse_address};
 use crate::{
@@ -12,7 +12,7 @@ use std::error::Error;
 use std::fmt::Display;
 use std::ops::RangeInclusive;
 
-/// The columns of a picture, unless the request says otherwise.
+/// The number of columns of a picture, unless the request asks for a different number.
 pub const COLUMNS: u32 = PICTURE_COLUMNS;
 
 /// The numbers of columns that a request may ask for.
@@ -23,7 +23,7 @@ const ALLOWED_COLUMNS: RangeInclusive<u32> = 2..=3840;
 pub struct Reply {
     /// A JSON object with what the page shows, or with an `error`.
     pub text: String,
-    /// The pixels of a picture, or empty if there is none.
+    /// The pixels of a picture. Empty if there is no picture.
     pub pixels: Vec<u8>,
 }
 
@@ -71,7 +71,7 @@ pub fn reply(figure_name: &str, request: &FigureRequest) -> Result<Reply, Figure
     Ok(reply)
 }
 
-/// Returns the number of columns that a request asks for, or an error if it isn't allowed.
+/// Returns the number of columns that a request asks for, or an error if this number isn't allowed.
 fn allowed_columns(columns: Option<u32>) -> Result<u32, FigureRequestError> {
     let columns = columns.unwrap_or(COLUMNS);
     let is_allowed = ALLOWED_COLUMNS.contains(&columns);
@@ -187,7 +187,7 @@ pub fn rgba_bytes(image: &RgbImage) -> Vec<u8> {
 mod tests {
     use super::*;
 
-    /// Values for a request, written as in an address.
+    /// Parses values for a request. They are written as in an address.
     fn values(text: &str) -> Vec<(String, f64)> {
         let parts = text.split(',').filter_map(|part| part.split_once(':'));
         parts.map(|(id, value)| (id.to_owned(), value.parse().expect(text))).collect()
@@ -235,7 +235,8 @@ mod tests {
 
     #[test]
     fn dragging_a_probe_sends_no_pixels() {
-        let reply = reply("step02_sphere", &drag("", 0, [10.5, 20.5])).expect("a reply");
+        let reply =
+            reply("step02_sphere", &drag("", 0, [10.5, 20.5])).expect("the probe can be dragged");
         assert!(reply.pixels.is_empty() && reply.text.contains("\"positions\":[[10.5,20.5]"));
     }
 }

@@ -6,21 +6,21 @@ use thiserror::Error;
 /// A request about a figure.
 #[derive(Clone, Debug, PartialEq)]
 pub enum FigureRequest {
-    /// Describes the parameters and the handles.
+    /// Asks for a description of the parameters and the handles.
     About,
-    /// Sends everything that the page shows at these values.
+    /// Asks for everything that the page shows at these values.
     Show {
-        /// The values of the parameters, by their names.
+        /// The names of parameters, each with a value.
         values: Vec<(String, f64)>,
         /// The maximum number of columns of a picture, or None for as many as in the book.
         columns: Option<u32>,
     },
-    /// Sends the same as `Show`, but without the drawing or the pixels.
+    /// Asks for the same as `Show`, but without the drawing or the pixels.
     Read {
         /// The values of the parameters.
         values: Vec<(String, f64)>,
     },
-    /// Drags a handle, then sends the same as `Show`. A probe doesn't change the picture, so
+    /// Drags a handle, then asks for the same as `Show`. A probe doesn't change the picture, so
     /// nothing is drawn after a probe is dragged.
     Drag {
         /// The values of the parameters before the handle is dragged.
@@ -32,14 +32,14 @@ pub enum FigureRequest {
         /// The maximum number of columns of a picture, or None for as many as in the book.
         columns: Option<u32>,
     },
-    /// Sends the name of the object at a position, or null.
+    /// Asks for the name of the object at a position. The name is null if there is no object.
     Pick {
         /// The values of the parameters.
         values: Vec<(String, f64)>,
         /// The position in the picture.
         position: [f64; 2],
     },
-    /// Sends the same as `Show`, at the values of an address.
+    /// Asks for the same as `Show`, at the values in an address.
     Open {
         /// The address.
         address: String,

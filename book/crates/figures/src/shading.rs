@@ -5,31 +5,35 @@ use step04_diffuse::{
     AMBIENT_LIGHT, Matte, OBJECTS, Object, PointLight, Ray, Scene, Sphere, WARM_LIGHT, colour, rgb8,
 };
 
-/// The direction to the light, for a reader who looks at the drawing: right, up, and out of the
-/// page. The light comes from over the left shoulder, as the warm light does at the red sphere in
-/// the picture of step 4.
+/// The direction to the light. Its components lead to the right, upwards and out of the page. The
+/// light comes from over the reader's left shoulder, just as the warm light shines on the red
+/// sphere in the picture of step 4.
 pub const TO_LIGHT: DVec3 = DVec3::new(-3.35, 5.16, 5.4);
 
 /// The distance from a ball to the light, in radii of the ball.
 const LIGHT_DISTANCE: f64 = 8.0;
 
-/// The number of steps between the colours of the gradient.
+/// The number of steps from the first colour of the gradient to the last.
 const STEPS: u32 = 6;
 
-/// The shading of all balls in a drawing that are seen from the same side: a radial gradient whose
-/// colours step 4 computes, for a teal ball in the ambient light and the warm light of the scene.
+/// The shading of all balls that a drawing shows from the same side. It is a radial gradient. Its
+/// colours are those that step 4 computes for a teal ball in the scene's ambient light and warm
+/// light.
 #[derive(Clone, Debug)]
 pub struct Shading {
     /// The id of the gradient, which must be unique on a page.
     pub id: &'static str,
-    /// The point of the ball that is nearest to the light, right and up from the centre, in radii.
+    /// The point on the ball that is nearest to the light: how far it is to the right of the centre
+    /// and above it, in radii.
     brightest: DVec2,
-    /// The colours at equal distances from the brightest point to the opposite side of the outline.
+    /// The colours at equal steps along the line from the brightest point to the opposite side of
+    /// the outline.
     colours: Vec<[u8; 3]>,
 }
 
 impl Shading {
-    /// The shading in a light that shines from this direction: right, up, and out of the page.
+    /// The shading in a light in the direction `to_light`. The direction's components lead to the
+    /// right, upwards and out of the page.
     pub fn new(id: &'static str, to_light: DVec3) -> Self {
         let brightest = to_light.normalize().truncate();
         // A ray through the outline itself might miss the ball.
@@ -40,7 +44,8 @@ impl Shading {
         Self { id, brightest, colours: colours.collect() }
     }
 
-    /// The gradient as an SVG element. Its unit is the size of the ball that it fills.
+    /// The gradient as an SVG element. Its unit of length is the diameter of the ball that it
+    /// fills.
     pub fn svg(&self) -> String {
         let Self { id, brightest: DVec2 { x, y }, colours } = self;
         let stops = colours.iter().zip(0..).map(|([red, green, blue], k)| {
@@ -65,7 +70,8 @@ fn teal_ball(to_light: DVec3) -> Scene<Matte, PointLight> {
     Scene { objects: vec![ball], ambient_light: AMBIENT_LIGHT, lights: vec![light] }
 }
 
-/// The colour of the ball at a point of the page, right and up from the ball's centre.
+/// The colour of the ball at a point on the page. The point's components lead to the right and
+/// upwards from the ball's centre.
 fn colour_at(scene: &Scene<Matte, PointLight>, point: DVec2) -> [u8; 3] {
     rgb8(colour(scene, &Ray { start: point.extend(2.0), direction: DVec3::NEG_Z })).0
 }
@@ -74,7 +80,7 @@ fn colour_at(scene: &Scene<Matte, PointLight>, point: DVec2) -> [u8; 3] {
 mod tests {
     use super::*;
 
-    /// The colour of the gradient at a point of the page.
+    /// The colour of the gradient at a point on the page.
     fn gradient_at(shading: &Shading, point: DVec2) -> [u8; 3] {
         let offset = point.distance(shading.brightest) / (1.0 + shading.brightest.length());
         let (k, fraction) = ((offset * f64::from(STEPS)) as usize, offset * f64::from(STEPS) % 1.0);

@@ -2,33 +2,33 @@
 
 use glam::{DVec2, dvec2};
 
-/// A map from the world, where y points up, to a drawing, where it points down.
+/// A map from the world, where y points up, to a drawing, where y points down.
 #[derive(Clone, Copy, Debug)]
 pub struct View {
-    /// The position in the drawing of the world's origin.
+    /// The position of the world's origin in the drawing.
     pub origin: DVec2,
-    /// The length in the drawing of one unit along each axis.
+    /// For each axis of the world, the length of one unit in the drawing.
     pub scale: DVec2,
 }
 
 impl View {
-    /// The position of a point in the world.
+    /// The position at which a point in the world is drawn.
     pub fn to_drawing(self, world_point: DVec2) -> DVec2 {
         self.xy_to_drawing(world_point.x, world_point.y)
     }
 
-    /// The position of the point (x, y).
+    /// The position at which the point (x, y) is drawn.
     pub fn xy_to_drawing(self, x: f64, y: f64) -> DVec2 {
         self.origin + self.scale * dvec2(x, -y)
     }
 
-    /// The point in the world at a position in the drawing.
+    /// The point in the world that is drawn at a position.
     pub fn to_world(self, position: DVec2) -> DVec2 {
         (position - self.origin) / self.scale * dvec2(1.0, -1.0)
     }
 
-    /// The angle between straight up and the line from the origin to a position, in degrees to the
-    /// left.
+    /// The angle from straight up to the line that leads from the origin to a position. It is in
+    /// degrees, and positive on the left.
     pub fn degrees_left_of_up(self, position: DVec2) -> f64 {
         let DVec2 { x, y } = self.origin - position;
         x.atan2(y).to_degrees()

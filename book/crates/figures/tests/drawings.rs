@@ -1,5 +1,5 @@
-//! What a page shows and receives for each figure, locked as text. Each element of a drawing and
-//! each field of JSON has its own line.
+//! Locks what a page shows and receives for each figure, as text. In the snapshots, each element of
+//! a drawing and each field of JSON has its own line.
 
 use course::{Step, find_picture};
 use figures::{
@@ -9,7 +9,8 @@ use figures::{
 use glam::{DVec2, dvec2};
 use insta::assert_snapshot;
 
-/// The reply to a request, split into lines. If it has pixels, it ends with the first 40 of them.
+/// The reply to a request, split into lines. If the reply has pixels, the text ends with the first
+/// 40 of them.
 fn reply_lines(figure: &Figure, request: &FigureRequest) -> String {
     let Reply { text, pixels } = reply(figure.name, request).unwrap_or_else(Reply::from_error);
     let text = json_lines(&text).replace("\\\"", "\"").replace("\\u000a", "\n");
@@ -49,7 +50,7 @@ fn json_lines(json: &str) -> String {
     lines
 }
 
-/// Lists the requests about a figure, each described in words and followed by its reply.
+/// Lists requests about a figure. Each request is described in words, and is followed by its reply.
 fn replies(figure: &Figure, requests: &[(String, FigureRequest)]) -> String {
     let parts: Vec<_> = requests
         .iter()
@@ -73,7 +74,8 @@ fn show_request(figure: &Figure, values: &ParameterValues) -> (String, FigureReq
     (description, FigureRequest::Show { values: numbers.collect(), columns })
 }
 
-/// Allowed values spread over their ranges, different for each seed.
+/// Returns allowed values that are spread over the parameters' ranges, and that differ between
+/// seeds.
 fn spread_values(figure: &Figure, seed: usize) -> ParameterValues {
     let golden_ratio = 0.618_033_988_749_895;
     let mut attempts = (0..10_000).filter_map(|attempt| {
@@ -84,10 +86,11 @@ fn spread_values(figure: &Figure, seed: usize) -> ParameterValues {
         });
         figure.nearest_allowed_values(&values.collect())
     });
-    attempts.next().expect("allowed values")
+    attempts.next().expect("the values of some attempt are allowed")
 }
 
-/// The default values and, if there are parameters, two other sets spread over their ranges.
+/// The default values and, if there are parameters, two other sets of values. These are spread over
+/// the parameters' ranges.
 fn default_and_spread_values(figure: &Figure) -> Vec<ParameterValues> {
     let [first, second] = [1, 2].map(|seed| spread_values(figure, seed));
     let mut all = vec![figure.default_values(), first, second];
@@ -104,10 +107,10 @@ fn figure_draws_the_same_picture_as_its_program() {
         ("own_scene", "the-way-back-shadows-and-mirrors:1", "mirror"),
     ];
     for (name, address, program) in steps.into_iter().chain(others) {
-        let figure = find_figure(name).expect("a picture");
-        let values = parse_address(figure, address).expect("values");
-        let Content::Picture { draw } = figure.content else { panic!("a drawing") };
-        let picture = find_picture(program).expect("a program");
+        let figure = find_figure(name).expect("the figure exists");
+        let values = parse_address(figure, address).expect("the address is valid");
+        let Content::Picture { draw } = figure.content else { panic!("{name} is a drawing") };
+        let picture = find_picture(program).expect("the program draws a picture");
         assert!(
             draw(&values, COLUMNS) == picture(&course::camera(), 1),
             "{name} differs from {program}"
@@ -131,8 +134,10 @@ fn texts_and_replies_are_as_locked() {
     }
 }
 
-/// The default values, the values with a single parameter at an end of its range, and the values
-/// with all parameters at the lower or at the upper ends.
+/// Returns these sets of values, unless the figure has nothing to show at them:
+/// - the default values;
+/// - for each end of each parameter's range, the default values with this parameter at this end;
+/// - all parameters at the lower ends of their ranges, and all at the upper ends.
 fn values_at_limits(figure: &Figure) -> Vec<ParameterValues> {
     let mut all = vec![figure.default_values()];
     for end in [0, 1] {
@@ -182,7 +187,8 @@ fn ids_in_a_drawing_begin_with_the_name_of_its_figure() {
     }
 }
 
-/// Each handle with its position at these values, and its parameters after it is dragged.
+/// Lists the handles. Each has its position at these values, and the values of its parameters after
+/// it is dragged.
 fn handle_lines(figure: &Figure, values: &ParameterValues) -> String {
     let lines = figure.handles.iter().map(|handle| {
         let position = (handle.locate)(values).map(DVec2::round);
@@ -199,16 +205,16 @@ fn dragged_handles_are_as_locked() {
         let all = default_and_spread_values(figure).into_iter();
         all.map(|values| handle_lines(figure, &values))
     });
-    let own_scene = find_figure("own_scene").expect("a picture");
+    let own_scene = find_figure("own_scene").expect("the figure exists");
     let cameras = [
         "camera-position-sideways:6,camera-roll:-30,camera-target-backwards:-8",
         // The camera looks back at the scene.
         "camera-position-backwards:-20,camera-target-upwards:1",
-        // The plane in which the red sphere is dragged is seen edge-on.
+        // The red sphere is dragged in a plane that the camera sees edge-on.
         "camera-position-sideways:6,camera-position-backwards:-7.4,camera-target-backwards:-7.4",
     ];
     let cameras = cameras.map(|address| {
-        handle_lines(own_scene, &parse_address(own_scene, address).expect("a scene"))
+        handle_lines(own_scene, &parse_address(own_scene, address).expect("the address is valid"))
     });
     assert_snapshot!("handles", parts.chain(cameras).collect::<Vec<_>>().join("\n"));
 }
@@ -230,6 +236,6 @@ fn replies_to_addresses_are_as_locked() {
         let request = FigureRequest::Open { address: address.to_owned() };
         (format!("open own_scene {address}"), request)
     });
-    let own_scene = find_figure("own_scene").expect("a picture");
+    let own_scene = find_figure("own_scene").expect("the figure exists");
     assert_snapshot!("addresses", replies(own_scene, &requests));
 }

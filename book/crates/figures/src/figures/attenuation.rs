@@ -17,7 +17,8 @@ const CONTENT: Content = Content::Drawing {
     draw,
 };
 
-/// Curves of brightness over distance, one of them with an a, b and c that the reader can set.
+/// Curves that show how brightness depends on distance. The reader can set the a, b and c of one
+/// curve.
 pub fn figure() -> Figure {
     let Attenuation { a, b, c } = WARM_LIGHT.attenuation;
     let label = "of your curve";
@@ -66,7 +67,8 @@ fn draw(values: &ParameterValues) -> Drawing {
         let distances = (0..=100).map(|k| f64::from(k) * 0.14);
         drawing.path(class, distances.map(|d| position(d, 1.0 / attenuation.divisor(d))));
     }
-    // Each name goes at the end of its curve, or higher if it would overlap the name below.
+    // Each name goes at the end of its curve, or higher if it would otherwise overlap the name
+    // below it.
     curves.sort_by(|(_, a, _), (_, b, _)| b.divisor(14.0).total_cmp(&a.divisor(14.0)));
     let mut y = f64::INFINITY;
     for (class, attenuation, name) in curves {

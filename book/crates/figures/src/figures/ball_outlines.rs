@@ -3,10 +3,10 @@
 use super::*;
 use std::f64::consts::FRAC_PI_2;
 
-/// The angle, as seen from the eye, between the centre of a ball and its outline, in degrees.
+/// The angle between the centre and the outline of a ball, as seen from the eye, in degrees.
 const HALF_ANGLE: f64 = 8.0;
 
-/// The distance from the eye to the balls. The image plane is at distance 1.
+/// The distance from the eye to the centre of each ball. The image plane is at distance 1.
 const DISTANCE: f64 = 0.7;
 
 /// Maps the image plane, seen from the front, to the drawing.
@@ -26,8 +26,8 @@ const CONTENT: Content = Content::Drawing {
     draw,
 };
 
-/// A ball straight ahead of the eye, an equal one that the reader can move to the side, and the
-/// picture of both.
+/// A ball straight ahead of the eye, an equally large ball that the reader can move to the side,
+/// and the picture of both balls.
 pub fn figure() -> Figure {
     Figure {
         parameters: vec![
@@ -52,7 +52,7 @@ pub fn figure() -> Figure {
     }
 }
 
-/// The position, seen from above, of the centre of a ball that is this many degrees off the axis.
+/// Where the view from above shows the centre of a ball that is this many degrees off the axis.
 fn centre_from_above(degrees: f64) -> DVec2 {
     ABOVE.to_drawing(DISTANCE * direction_left_of_up(-degrees))
 }
@@ -62,21 +62,21 @@ fn image_plane_x(degrees: f64) -> f64 {
     degrees.to_radians().tan()
 }
 
-/// Half the width and half the height of a ball's image. It is an ellipse, because the image plane
-/// cuts the cone of rays that touch the ball.
+/// Half the width and half the height of a ball's image. The image is the ellipse in which the
+/// image plane cuts the cone of rays that touch the ball.
 fn image_half_axes(degrees: f64) -> DVec2 {
     let [left, right] = [degrees - HALF_ANGLE, degrees + HALF_ANGLE].map(image_plane_x);
     let middle = (left + right) / 2.0;
     let (sin, cos) = degrees.to_radians().sin_cos();
-    // The top of the ellipse is on the cone, so the angle between its direction and the cone's axis
-    // is `HALF_ANGLE`. From this follows the distance between the eye and the top.
+    // The top of the ellipse is on the cone, so the line to it from the eye makes the angle
+    // `HALF_ANGLE` with the cone's axis. This gives the distance from the eye to the top.
     let distance = (middle * sin + cos) / HALF_ANGLE.to_radians().cos();
     dvec2((right - left) / 2.0, (distance * distance - middle * middle - 1.0).sqrt())
 }
 
-/// Draws a ball, its image, and the rays that touch it on both sides.
+/// Draws a ball and its image, the two rays that touch the ball, and the ray through its centre.
 fn draw_ball(drawing: &mut Drawing, degrees: f64) {
-    // The same light, seen from the front and from above.
+    // Both shadings have the same light, seen once from the front and once from above.
     let DVec3 { x, y, z } = TO_LIGHT;
     let in_picture = Shading::new("ball-outlines-image", TO_LIGHT);
     let from_above = Shading::new("ball-outlines-ball", DVec3::new(x, -z, y));

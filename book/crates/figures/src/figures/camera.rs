@@ -18,8 +18,8 @@ const CONTENT: Content = Content::Drawing {
     draw,
 };
 
-/// The pyramid of rays of a small camera, its picture on the image plane, and the ray through one
-/// of the pixels.
+/// A small camera: the pyramid of its rays, its picture on the image plane, and the ray through one
+/// pixel.
 pub fn figure() -> Figure {
     let locate = |values: &ParameterValues| {
         let figure = CameraFigure::new(values);
@@ -62,8 +62,8 @@ impl CameraFigure {
         self.camera.ray(self.pixel.x, self.pixel.y)
     }
 
-    /// Projects a point in the world to the drawing: rotates it about the y axis, then about the x
-    /// axis, and drops its z. A wide view is drawn at a smaller scale.
+    /// Projects a point in the world to the drawing: rotates the point about the y axis, then about
+    /// the x axis, and drops its z. A wide view is drawn at a smaller scale.
     fn project(&self, point: DVec3) -> DVec2 {
         let turn = DQuat::from_rotation_x(0.3) * DQuat::from_rotation_y(-0.72);
         let scale = (144.35 / -self.camera.matrix.z_axis.x).min(250.0);
@@ -71,8 +71,8 @@ impl CameraFigure {
         view.to_drawing((turn * point).truncate())
     }
 
-    /// Inverts the projection of the image plane: returns the fractional pixel at a position in the
-    /// drawing, clamped to the picture.
+    /// Inverts the projection of the image plane: returns the pixel at a position in the drawing,
+    /// in fractional coordinates that are clamped to the picture.
     fn pixel_at(&self, position: DVec2) -> DVec2 {
         let project = |i, j| self.project(self.camera.ray(i, j).at(1.0));
         let first = project(0.0, 0.0);
@@ -80,7 +80,7 @@ impl CameraFigure {
         clamp_to_picture(&self.camera, steps.inverse() * (position - first))
     }
 
-    /// Draws the image plane with a dot for each pixel, and the rays through its corners.
+    /// Draws the image plane with a dot for each pixel, and the rays through the plane's corners.
     fn draw_pyramid(&self, drawing: &mut Drawing) {
         let Self { camera, .. } = self;
         let c = self.project(camera.centre);
@@ -99,7 +99,7 @@ impl CameraFigure {
         }
     }
 
-    /// Draws V_0, D_u and D_v, and the steps that lead to the pixel.
+    /// Draws V_0, D_u and D_v, and the way to the pixel: along the top row, then down.
     fn draw_vectors_to_pixel(&self, drawing: &mut Drawing) {
         let Camera { centre, matrix, .. } = self.camera;
         let (d_u, d_v, v_0) = (matrix.x_axis, matrix.y_axis, matrix.z_axis);
@@ -119,7 +119,7 @@ impl CameraFigure {
     }
 }
 
-/// Clamps a position in fractional pixels to the picture.
+/// Clamps the fractional coordinates of a pixel to the picture.
 fn clamp_to_picture(camera: &Camera, pixel: DVec2) -> DVec2 {
     let last = dvec2(f64::from(camera.h_res), f64::from(camera.v_res)) - 1.0;
     pixel.clamp(DVec2::ZERO, last)

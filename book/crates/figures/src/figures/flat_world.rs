@@ -10,7 +10,7 @@ const EYE: PointId = PointId("the eye S");
 const END_OF_V: PointId = PointId("the end of V");
 const LIGHT: PointId = PointId("the light q");
 
-/// The balls' centres and radii.
+/// The centre and the radius of each ball.
 const BALLS: [(PointId, f64); 4] = [
     (PointId("ball 1"), 1.2),
     (PointId("ball 2"), 0.55),
@@ -18,7 +18,7 @@ const BALLS: [(PointId, f64); 4] = [
     (PointId("ball 4"), 0.9),
 ];
 
-/// What the reader can drag, in the order of the handles: each point with its mark and its default
+/// The points that the reader can drag, in the order of the handles. Each has a mark and a default
 /// position.
 const POINTS: [(PointId, Mark, [f64; 2]); 7] = [
     (EYE, Mark::Point, [0.6, 2.6]),
@@ -49,7 +49,7 @@ pub fn figure() -> Figure {
             .map(|(point, mark, _)| Handle { mark, ..Handle::of_point_in_drawing(point, VIEW) })
             .into(),
         readouts,
-        // The eye must be outside the balls, and V long enough to be seen.
+        // The eye must be outside the balls, and V must be long enough to be seen.
         has_something_to_show: |values| {
             let FlatWorld { ray: Ray { start, direction }, balls, .. } = FlatWorld::new(values);
             let is_outside = |ball: &Sphere| ball.centre.distance(start) > ball.radius;
@@ -59,14 +59,14 @@ pub fn figure() -> Figure {
     }
 }
 
-/// What is in the plane. A ball's material is its number.
+/// The contents of the plane. The material of a ball is the ball's number.
 struct FlatWorld {
     ray: Ray,
     q: DVec3,
     balls: Vec<Object<usize>>,
 }
 
-/// A point hit by the ray from the eye or by one of its reflections.
+/// A point that is hit by the ray from the eye, or by a reflection of this ray.
 struct PathPoint<'a> {
     point: SurfacePoint<'a, usize>,
     /// Whether the light reaches the point.
@@ -84,8 +84,8 @@ impl FlatWorld {
         Self { ray, q: point(LIGHT), balls: balls.collect() }
     }
 
-    /// Follows the ray from the eye and its reflections, for at most three hits. Returns the hits,
-    /// and the ray that hits nothing, if there is one.
+    /// Follows the ray from the eye and its reflections until the third hit. Returns the hits and,
+    /// if one of the rays hits nothing, that ray.
     fn trace(&self) -> (Vec<PathPoint<'_>>, Option<Ray>) {
         let (mut hits, mut ray) = (vec![], self.ray);
         for _ in 0..3 {
@@ -109,7 +109,7 @@ fn draw(values: &ParameterValues) -> Drawing {
         let class = if is_seen { "object seen" } else { "object" };
         let radius = VIEW.scale.x * sphere.radius;
         drawing.circle(class, position(sphere.centre), radius);
-        // The number is beside the handle, which is large on a phone, and keeps clear of the
+        // The number keeps clear of the handle, which is large on a phone, and of the ball's
         // outline.
         let right = if radius < 35.0 { radius + 10.0 } else { 25.0 };
         let label = position(sphere.centre) + dvec2(right, 5.0);
@@ -140,7 +140,7 @@ fn draw(values: &ParameterValues) -> Drawing {
     drawing
 }
 
-/// Describes in one phrase what the ray hits.
+/// Describes what the ray and its reflections hit.
 fn readouts(values: &ParameterValues) -> Readouts {
     let world = FlatWorld::new(values);
     let (hits, escaping_ray) = world.trace();

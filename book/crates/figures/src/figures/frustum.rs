@@ -1,13 +1,13 @@
-//! OpenGL's frustum, and what it cuts away.
+//! OpenGL's frustum, and what lies outside it.
 
 use super::*;
 use step01_rays::Camera;
 use step03_nearest::{Ray, Sphere};
 
-/// Maps (depth, height) to the drawing. The camera looks right.
+/// Maps (depth, height) to the drawing. The camera looks to the right.
 const VIEW: View = View { origin: dvec2(26.0, 172.0), scale: DVec2::splat(78.0) };
 
-/// The three balls: nearby, in the middle, and far away.
+/// The balls: one nearby, one in the middle, and one far away.
 const BALLS: [Sphere; 3] = [
     Sphere { centre: DVec3::new(0.0, -0.19, -0.85), radius: 0.12 },
     Sphere { centre: DVec3::new(0.0, 0.45, -2.35), radius: 0.33 },
@@ -24,7 +24,7 @@ const CONTENT: Content = Content::Drawing {
     draw,
 };
 
-/// OpenGL's frustum from the side, with rays that reach even what it cuts away.
+/// OpenGL's frustum from the side, with rays that hit even the balls outside the frustum.
 pub fn figure() -> Figure {
     let handle = |label, depth: ParameterId| {
         let locate = move |values: &ParameterValues| {
@@ -42,18 +42,18 @@ pub fn figure() -> Figure {
     }
 }
 
-/// The position of a point in the world, seen from the side.
+/// Where the view from the side shows a point in the world.
 fn side_view_position(point: DVec3) -> DVec2 {
     VIEW.xy_to_drawing(-point.z, point.y)
 }
 
-/// The rays along the top and the bottom of the view.
+/// The rays along the upper and the lower edge of the view.
 fn top_and_bottom_rays() -> [Ray; 2] {
     let camera = Camera::new(2, 2, 40_f64.to_radians());
     [0.0, 1.0].map(|j| camera.ray(0.5, j))
 }
 
-/// What the two planes leave of a ball.
+/// How much of a ball is left between the two planes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Rest {
     None,
@@ -105,7 +105,7 @@ fn draw(values: &ParameterValues) -> Drawing {
         } else {
             drawing.ball(&shading, centre, DVec2::splat(radius));
         }
-        // The label is on the side away from the other rays.
+        // The label is away from the other rays: above a high ball, and below a low one.
         let below = if sphere.centre.y > 0.0 { -radius - 10.0 } else { radius + 40.0 };
         drawing.label("quiet over", centre + dvec2(0.0, below), rest.label());
         let ray = Ray { start: DVec3::ZERO, direction: sphere.centre };

@@ -6,7 +6,7 @@ use step03_nearest::{Object, Ray, Sphere, nearest};
 
 const VIEW: View = View { origin: dvec2(150.0, 112.0), scale: dvec2(44.0, 44.0) };
 
-/// The spheres' centres and radii.
+/// The centre and the radius of each sphere.
 const SPHERES: [(PointId, f64); 3] = [
     (PointId("the centre of sphere 0"), 1.0),
     (PointId("the centre of sphere 1"), 0.7),
@@ -21,7 +21,8 @@ const CONTENT: Content = Content::Drawing {
     draw,
 };
 
-/// A ray and three spheres that the reader can move, one of them behind the start.
+/// A ray, and three spheres that the reader can move. By default, one sphere is behind the ray's
+/// start.
 pub fn figure() -> Figure {
     let defaults = [[5.3, 0.35], [-1.5, 0.2], [2.4, -0.3]];
     let ranges = [[-1.6, 5.6], [-1.0, 1.0]];
@@ -59,8 +60,9 @@ fn draw(values: &ParameterValues) -> Drawing {
     drawing.dot("eye", position(0.0));
     drawing.label("strong over", position(0.0) + dvec2(0.0, -12.0), "$S$");
     for Object { sphere, material: k, .. } in &objects {
-        // One row per sphere. Its two numbers are to the left of the first root and to the right of
-        // the second, so that they don't overlap.
+        // Each sphere has a row for its roots. The first root is to the left of the line from its
+        // dot, and the second root is to the right of its own line, so that the two numbers don't
+        // overlap.
         let y = 222.0 + 20.0 * *k as f64;
         for (t, anchor) in sphere.intersect(&ray).into_iter().zip(["end", "start"]) {
             let (dot, label) = match nearest_hit {

@@ -4,7 +4,8 @@ use super::*;
 use std::f64::consts::FRAC_PI_2;
 use step04_diffuse::{Attenuation, Matte, PointLight, diffuse};
 
-/// Maps the world to the drawing. The origin is the point that the beam on the right falls on.
+/// Maps the world to the drawing. The origin is the point at which the beam on the right falls on
+/// the ground.
 const VIEW: View = View { origin: dvec2(352.0, 210.0), scale: DVec2::ONE };
 
 /// The length of the beams.
@@ -21,7 +22,7 @@ const CONTENT: Content = Content::Drawing {
     draw,
 };
 
-/// A beam of light that falls straight down, and one whose angle the reader can set.
+/// A beam of light that falls straight down, and a beam whose angle the reader can set.
 pub fn figure() -> Figure {
     let angle = Parameter::number(ANGLE, "angle of the light", 60.0, [0.0, 100.0], 1.0)
         .with_symbol("α")
@@ -54,9 +55,10 @@ fn draw_beam(drawing: &mut Drawing, ground: DVec2, degrees: f64) {
     let share = brightness(l);
     // At 90°, rounding leaves the cosine slightly above 0.
     let is_lit = share >= 0.0005;
-    // Half the width of the lit strip, which is the width of the beam divided by the cosine.
+    // Half the width of the lit strip. The strip's width is the beam's width divided by the cosine.
     let half = 26.0 / l.y;
-    // A beam at a grazing angle lights more ground than is drawn, so we cut it off there.
+    // A beam at a grazing angle lights more ground than is drawn, so the beam is cut off where the
+    // drawn ground ends.
     let edge = (92.0 / half.abs()).min(1.0);
     let foot = |k: f64| ground + dvec2(k * half, 0.0);
     // The unit vector at a right angle to the beam.
@@ -79,7 +81,7 @@ fn draw_beam(drawing: &mut Drawing, ground: DVec2, degrees: f64) {
     }
     let is_strip = is_lit && edge == 1.0;
     if is_strip {
-        // A right triangle with the width of the beam as a leg and the strip as its hypotenuse.
+        // A right triangle with the width of the beam as one leg and the strip as its hypotenuse.
         let corner = foot(-1.0);
         let end = corner + 52.0 * across;
         drawing.line("vector", corner, end);
@@ -104,7 +106,7 @@ fn draw_beam(drawing: &mut Drawing, ground: DVec2, degrees: f64) {
     drawing.label("quiet", ground + dvec2(0.0, 80.0), &label);
 }
 
-/// The diffuse term from step 4 for a white light in the direction `l`, where n points up.
+/// The diffuse term of step 4 for a white light in the direction `l`. The normal points up.
 fn brightness(l: DVec2) -> f64 {
     let attenuation = Attenuation { a: 1.0, b: 0.0, c: 0.0 };
     let light = PointLight { position: l.extend(0.0), diffuse: DVec3::ONE, attenuation };

@@ -17,7 +17,7 @@ const CONTENT: Content = Content::Drawing {
     draw,
 };
 
-/// The light, and the lobes for several exponents, one of which the reader can set.
+/// The light, and one lobe for each of several exponents. The reader can set one exponent.
 pub fn figure() -> Figure {
     Figure {
         parameters: vec![
@@ -55,13 +55,13 @@ fn draw(values: &ParameterValues) -> Drawing {
         drawing.arrow(class, VIEW.origin, VIEW.to_drawing(tip));
         drawing.label("strong over", VIEW.to_drawing(tip) + shift, name);
     }
-    // The legend, with the widest lobe at the bottom.
+    // Draws the legend, with the widest lobe at the bottom.
     exponents.pop();
     exponents.insert(exponents.partition_point(|&n| n < reader_n), reader_n);
     for (n, (angle, y)) in
         exponents.into_iter().zip([(0.12, 226.0), (0.44, 190.0), (0.6, 154.0), (0.7, 118.0)])
     {
-        // The line from a label to its lobe ends to the right of r and above the ground.
+        // The line from a label meets the lobe to the right of r and above the ground.
         let v = DVec2::from_angle((r.to_angle() - FRAC_PI_4 + angle).max(0.0));
         let label = dvec2(418.0, y);
         drawing.line("axis", on_lobe(n, v), label - dvec2(5.0, 5.0));

@@ -1,5 +1,5 @@
-//! The drawings, which call the steps' own functions wherever there is one. Each file starts by
-//! importing everything that is imported here.
+//! The drawings, which call the steps' own functions wherever they can. With `use super::*`, each
+//! file imports everything that is imported here.
 
 pub mod attenuation;
 pub mod ball_outlines;

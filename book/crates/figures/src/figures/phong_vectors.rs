@@ -4,7 +4,7 @@ use super::*;
 use std::f64::consts::FRAC_PI_2;
 use step05_phong::reflect;
 
-/// Maps the plane of the vectors to the drawing. The origin is the hit.
+/// Maps the plane of the vectors to the drawing. The origin is the hit, where all vectors start.
 const VIEW: View = View { origin: dvec2(240.0, 240.0), scale: DVec2::splat(190.0) };
 
 const ANGLE: ParameterId = ParameterId::new("angle");

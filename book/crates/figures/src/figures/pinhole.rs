@@ -10,7 +10,8 @@ const CONTENT: Content = Content::Drawing {
     draw,
 };
 
-/// A pinhole camera from the side, with the image behind the pinhole and the one in front of it.
+/// A pinhole camera from the side, with one image behind the pinhole and another image in front of
+/// it.
 pub fn figure() -> Figure {
     Figure::new("pinhole", CONTENT)
 }

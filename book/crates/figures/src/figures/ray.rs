@@ -6,12 +6,12 @@ use step01_rays::Ray;
 const SIZE: DVec2 = dvec2(480.0, 250.0);
 const VIEW: View = View { origin: dvec2(104.0, 170.0), scale: dvec2(40.0, 40.0) };
 
-/// The offset in the drawing from the ray to V, which is drawn beside it.
+/// The offset from the ray to the arrow V, which is drawn beside the ray.
 const BESIDE: DVec2 = dvec2(-6.0, -14.0);
 
 const START: PointId = PointId("the start S");
 
-/// The two components of V, set by the handle at its tip.
+/// The two components of V, which the reader sets with the handle at the tip of V.
 const V: PointId = PointId("the tip of V");
 const DISTANCE: ParameterId = ParameterId::new("distance");
 
@@ -23,8 +23,8 @@ const CONTENT: Content = Content::Drawing {
     draw,
 };
 
-/// A ray in the plane z = 0 with the points at several values of t, and another point that stays at
-/// the same distance from S when V gets longer.
+/// A ray in the plane z = 0, with the points at several values of t. Another point stays at the
+/// same distance from S when V gets longer.
 pub fn figure() -> Figure {
     let start = Parameter::point(START, [0.0, 0.0], [[-2.0, 7.0], [-0.5, 2.5]], 10.0);
     let v = Parameter::point(V, [2.4, 0.7], [[-4.0, 7.0], [-4.0, 4.0]], 10.0);
@@ -62,7 +62,7 @@ fn ray(values: &ParameterValues) -> Ray {
     Ray { start, direction }
 }
 
-/// The t of the point at the distance from S that the reader sets.
+/// The t of the point whose distance from S the reader sets.
 fn t_at_distance(values: &ParameterValues) -> f64 {
     values[DISTANCE] / ray(values).direction.length()
 }
@@ -92,7 +92,7 @@ fn draw(values: &ParameterValues) -> Drawing {
     drawing.arrow("vector", s + BESIDE, v_tip_position(values));
     drawing.label("strong over", position(0.5) + BESIDE + dvec2(-6.0, -10.0), "$V$");
     drawing.label("strong over", s + dvec2(-18.0, -12.0), "$S$");
-    // The labels are below a ray that rises to the right, and above one that falls.
+    // If the ray's line falls to the right, the labels are above it. Otherwise, they are below it.
     let shift = dvec2(8.0, if v.x * v.y <= 0.0 { 28.0 } else { -18.0 });
     for t in (-1..10).map(|k| f64::from(k).max(-0.5)) {
         let label = position(t) + shift;
@@ -104,7 +104,7 @@ fn draw(values: &ParameterValues) -> Drawing {
     let t = t_at_distance(values);
     let sign = if t < 0.0 { '−' } else { '+' };
     let label = format!("$S$ {sign} {}$V$", format_rounded(t.abs(), 2));
-    // The label is above the ray, or below it near the top of the drawing.
+    // The label is above the ray, except near the top of the drawing, where it is below the ray.
     let above = position(t) + dvec2(-10.0, -24.0);
     let label_position = if above.y < 14.0 { position(t) + dvec2(-10.0, 30.0) } else { above };
     drawing.label("over", label_position, &label);

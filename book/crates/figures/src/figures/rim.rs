@@ -19,7 +19,8 @@ const CONTENT: Content = Content::Drawing {
     draw,
 };
 
-/// A point near the rim of a ball, and a lamp on the far side that the reader can turn.
+/// A point near the rim of a ball, and a lamp on the far side of the ball. The reader can turn the
+/// lamp.
 pub fn figure() -> Figure {
     let angle =
         Parameter::number(ANGLE, "angle of the lamp", 96.0, [40.0, 125.0], 1.0).with_unit("°");

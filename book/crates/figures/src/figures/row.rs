@@ -82,7 +82,7 @@ fn draw(values: &ParameterValues) -> Drawing {
     drawing.arc("axis", c, 54.0, [PI - v_0.to_angle(), v_0.to_angle()]);
     drawing.label("over", c + dvec2(13.0, -64.0), "$θ$");
     drawing.arrow("vector", c, tips[0]);
-    // The label is beside the arrow, on its left.
+    // The label is to the left of the arrow.
     let beside = 20.0 * (tips[0] - c).normalize().perp();
     drawing.label("strong", (c + tips[0]) / 2.0 - beside + dvec2(0.0, 6.0), "$V_0$");
     for step in tips.windows(2).take(2) {

@@ -6,7 +6,7 @@ use crate::probe::probe_ray;
 use std::f64::consts::TAU;
 use step03_nearest::{OBJECTS, Object, Ray, Sphere, nearest};
 
-/// Maps x to the right and t upwards. Since V_z is −1, t is the depth.
+/// Maps (x, t) to the drawing. Since V_z is −1, t is the depth.
 const VIEW: View = View { origin: dvec2(240.0, 236.0), scale: DVec2::splat(17.0) };
 
 /// How far the lines of equal t extend to the left and to the right.
@@ -23,7 +23,7 @@ const CONTENT: Content = Content::Drawing {
 };
 
 /// The scene from above, cut along the row of a pixel, with the ray of that pixel and every root on
-/// its line.
+/// the line of the ray.
 pub fn figure() -> Figure {
     Figure {
         follows: Some("step03_nearest"),
@@ -32,8 +32,9 @@ pub fn figure() -> Figure {
     }
 }
 
-/// The outline, in the drawing, of the disc in which a plane cuts a sphere. The plane contains the
-/// rays of one row of pixels, and `ray` is one of them. Returns None if the plane misses the sphere.
+/// Returns the outline, in the drawing, of the disc that a plane cuts out of a sphere. The plane
+/// contains `ray` and all other rays of the same row of pixels. Returns None if the plane misses
+/// the sphere.
 fn cut_outline(sphere: &Sphere, ray: &Ray) -> Option<Vec<DVec2>> {
     let ahead = ray.direction.with_x(0.0);
     let along = ahead.normalize();
@@ -58,7 +59,7 @@ fn draw(values: &ParameterValues) -> Drawing {
         drawing.line("grid", left, right);
         drawing.label("quiet start", left + dvec2(0.0, -5.0), &format!("$t$ = {t}"));
     }
-    // Largest first, so that the ground lies beneath the others.
+    // Draws the largest sphere first, so that the ground is beneath the other spheres.
     let mut objects = OBJECTS;
     objects.sort_by(|a, b| b.sphere.radius.total_cmp(&a.sphere.radius));
     for Object { name, sphere, .. } in &objects {

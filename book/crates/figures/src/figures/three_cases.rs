@@ -13,7 +13,7 @@ const STARTS: [(PointId, f64); 3] = [
     (PointId("the start of the right ray"), 0.4375),
 ];
 
-/// The x where the drawing of a ray begins and ends.
+/// The values of x at which the drawing of a ray begins and ends.
 const X_RANGE: [f64; 2] = [-2.125, 2.125];
 
 const CONTENT: Content = Content::Drawing {
@@ -24,7 +24,7 @@ const CONTENT: Content = Content::Drawing {
     draw,
 };
 
-/// Three rays, each with a circle, above the parabola at² + bt + c that belongs to it.
+/// Three rays, each with a circle. Below each ray is its parabola at² + bt + c.
 pub fn figure() -> Figure {
     let ranges = [[-2.25, 1.5], [-1.5, 1.5]];
     let handles = STARTS.iter().enumerate();

@@ -1,5 +1,5 @@
-//! A scene of the reader's own: the picture of step 5 with everything in it adjustable, and the
-//! Rust program that draws it.
+//! The reader's own scene. It starts as the scene of step 5, and the reader can change everything
+//! in it. The figure shows the scene's picture and the Rust program that draws this picture.
 
 mod parameters;
 mod program;
@@ -10,7 +10,7 @@ use parameters::{PARAMETERS, Target, complete_scene, component_ids, own_scene};
 use program::format_program;
 use step05_phong::nearest;
 
-/// The picture of the reader's scene.
+/// The figure that shows the reader's scene.
 pub fn figure() -> Figure {
     let handles = PARAMETERS.iter().filter_map(|(target, presence)| match *target {
         Target::Presence(owner, k) => handle(owner, k, presence.id),
@@ -38,8 +38,8 @@ pub fn figure() -> Figure {
     }
 }
 
-/// The handle for the sphere or light with index `k`. It can be dragged only while the switch
-/// `presence` is on.
+/// The handle for the sphere or light with index `k`. The handle can be dragged only while the
+/// switch `presence` is on.
 fn handle(owner: Owner, k: usize, presence: ParameterId) -> Option<Handle> {
     let camera_and_point = move |values: &ParameterValues| {
         values.is_on(presence).then(|| {
@@ -61,7 +61,7 @@ fn handle(owner: Owner, k: usize, presence: ParameterId) -> Option<Handle> {
     })
 }
 
-/// The objects that have a colour, with the parameters for its channels.
+/// Every object that has a colour, with the parameters for red, green and blue.
 fn colour_parameters() -> Vec<(&'static str, [ParameterId; 3])> {
     let mut objects: Vec<_> =
         PARAMETERS.iter().filter_map(|(_, parameter)| parameter.id.object()).collect();

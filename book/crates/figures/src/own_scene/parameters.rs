@@ -1,5 +1,5 @@
-//! The parameters of the reader's own scene: the numbers that describe the camera, the ambient
-//! light, the spheres and the lights, and the switches. By default, three spheres and one light are
+//! The parameters of the reader's own scene: switches, and numbers that describe the camera, the
+//! ambient light, the spheres and the lights. By default, three spheres and one light are switched
 //! off, and so are shadows and mirrors.
 
 use crate::{Axis, Parameter, ParameterId, ParameterValues};
@@ -18,11 +18,12 @@ pub enum Target {
     Mirrors,
     /// Whether the scene has the object or light with this index.
     Presence(Owner, usize),
-    /// A number that belongs to the camera or the scene, or to the object or light with this index.
+    /// A number that belongs to the camera, the scene, an object or a light. The index is that of
+    /// the object or light, and 0 for the camera and the scene.
     Scalar(&'static Scalar, usize),
 }
 
-/// All parameters, each with what it sets.
+/// All parameters, each with its target.
 pub static PARAMETERS: LazyLock<Vec<(Target, Parameter)>> = LazyLock::new(|| {
     let own = largest_scene();
     let mut parameters = vec![];
@@ -44,8 +45,8 @@ pub static PARAMETERS: LazyLock<Vec<(Target, Parameter)>> = LazyLock::new(|| {
     parameters
 });
 
-/// Returns a parameter for each number that belongs to the camera, to the scene, or to the object or
-/// light with index `k`. `name` stands for this owner in the ids.
+/// Returns a parameter for each number that belongs to an owner. If the owner is an object or a
+/// light, `k` is its index. `name` is the owner's name in the parameters' ids.
 fn number_parameters(
     own: &OwnScene,
     owner: Owner,
@@ -72,8 +73,8 @@ fn number_parameters(
     })
 }
 
-/// The parameters for these components of an object's position or colour. Returns None if the object
-/// doesn't have them.
+/// Finds the parameters for three components of an object's position or colour. Returns None if the
+/// object has no parameter for one of them.
 pub fn component_ids(object: &str, components: [Component; 3]) -> Option<[ParameterId; 3]> {
     let find = |component| {
         let mut ids = PARAMETERS.iter().filter_map(|(target, parameter)| match target {
@@ -89,7 +90,7 @@ pub fn component_ids(object: &str, components: [Component; 3]) -> Option<[Parame
 /// The scene at these values, without whatever is switched off.
 pub fn own_scene(values: &ParameterValues) -> OwnScene {
     let mut own = complete_scene(values);
-    // From last to first, so that the remaining indices stay valid.
+    // Goes from last to first, because removing an object or a light changes all later indices.
     for (target, parameter) in PARAMETERS.iter().rev() {
         match *target {
             Target::Presence(owner, k) if !values.is_on(parameter.id) => {

@@ -1,5 +1,5 @@
-//! Formats a scene as a Rust program, which the reader saves as an example of step 5. It is the
-//! step's own example `own_scene` with some of its function bodies replaced.
+//! Formats a scene as a Rust program, which the reader saves as an example of step 5. The program
+//! is step 5's example `own_scene`, with some function bodies replaced.
 
 use course::{FOV_DEGREES, OwnScene};
 use glam::DVec3;
@@ -7,11 +7,11 @@ use std::iter::zip;
 use std::ops::Range;
 use step05_phong::{Attenuation, Light, Material, Object};
 
-/// The program that draws step 5's own scene.
+/// The example `own_scene`, which draws the scene of step 5.
 const EXAMPLE: &str = include_str!("../../../../../steps/step05_phong/examples/own_scene.rs");
 
-/// The solution of the exercise `look_at`. If the camera is moved, the program contains the body of
-/// its function.
+/// The solution of the exercise `look_at`. If the reader has moved the camera, the program contains
+/// the body of the function `look_at`.
 const LOOK_AT: &str = include_str!("../../../../../steps/step01_rays/examples/look_at.rs");
 
 /// Formats the program that draws the scene.
@@ -25,15 +25,16 @@ pub fn format_program(own: &OwnScene) -> String {
     program
 }
 
-/// The range of the lines between a function's braces.
+/// The range in `program` of the lines between a function's braces.
 ///
 /// # Panics
 ///
 /// Panics if the program has no such function.
 fn body_range(program: &str, function: &str) -> Range<usize> {
-    let signature = program.find(&format!("pub fn {function}(")).expect("the function");
-    let start = signature + program[signature..].find("{\n").expect("a body") + 2;
-    start..start + program[start..].find("\n}").expect("an end")
+    let signature =
+        program.find(&format!("pub fn {function}(")).expect("the program has the function");
+    let start = signature + program[signature..].find("{\n").expect("a brace opens the body") + 2;
+    start..start + program[start..].find("\n}").expect("a brace closes the body")
 }
 
 fn replace_body(program: &mut String, function: &str, body: &str) {
@@ -54,8 +55,9 @@ fn scene_body(own: &OwnScene) -> String {
     )
 }
 
-/// The body of `my_camera`. It sets the field of view, and moves the camera as `look_at` does, each
-/// only if it differs from the default.
+/// The body of `my_camera`. If the field of view isn't the default, the body sets it. If the
+/// camera's position, target or roll isn't the default, the body moves the camera as `look_at`
+/// does.
 fn camera_body(own: &OwnScene) -> String {
     let mut body = String::new();
     if own.fov_degrees != FOV_DEGREES {
@@ -77,8 +79,9 @@ fn camera_body(own: &OwnScene) -> String {
     )
 }
 
-/// The body of `picture` for a scene with shadows and mirrors. It draws with the `colour` of
-/// `mirror.rs`, and gives each ball its `k`, the fraction of its colour that is a mirror image.
+/// The body of `picture` for a scene with shadows and mirrors. The body calls the function `colour`
+/// of `mirror.rs`, and gives each ball a `k`: the fraction of the ball's colour that is a mirror
+/// image.
 fn mirrors_body(own: &OwnScene) -> String {
     let arms = zip(&own.scene.objects, &own.mirror_parts)
         .map(|(object, k)| format!("            {:?} => {k:?},\n", object.name));

@@ -19,7 +19,7 @@ fn k_id(object: &'static str) -> ParameterId {
     ParameterId::of(object, "k")
 }
 
-/// The offsets, written as in the book's listing.
+/// The offsets that the reader can choose, written as in the book's listing.
 const OFFSETS: &[&str] = &[
     "0", "1e-16", "1e-15", "1e-14", "1e-13", "1e-12", "1e-11", "1e-10", "1e-9", "1e-8", "1e-7",
     "1e-6", "1e-5", "1e-4", "1e-3", "1e-2", "1e-1", "1",
@@ -28,8 +28,8 @@ const OFFSETS: &[&str] = &[
 /// The maximum depth, the same as in the example.
 const MAX_DEPTH: u32 = 10;
 
-/// The picture of the example `mirror`, with a probe. The depth and the offset can be set, and so
-/// can the k of the object at the probe.
+/// The picture of the example `mirror`, with a probe. The reader can set the depth, the offset, and
+/// the k of the object at the probe.
 pub fn figure() -> Figure {
     let max_depth = f64::from(MAX_DEPTH);
     let depth = Parameter::number(DEPTH, "depth", max_depth, [0.0, max_depth], 1.0);
@@ -71,7 +71,8 @@ impl Mirrors {
         colour(&self.scene, ray, depth, self.offset)
     }
 
-    /// The table row for what `ray` hits (object, t, k, I), and the reflected ray if we trace it.
+    /// Returns the table's row for what `ray` hits: the object, t, k and I. Also returns the
+    /// reflected ray, if it is to be traced.
     fn trace_hit(&self, ray: &Ray, depth: u32) -> ([String; 4], Option<Ray>) {
         let objects = &self.scene.objects;
         let intensity = format_vector(self.colour(ray, depth));

@@ -1,4 +1,4 @@
-//! The pictures, each drawn by its step or example.
+//! The pictures. Each is drawn by the code of its step or example.
 
 pub mod mirror;
 mod pixel_trace;

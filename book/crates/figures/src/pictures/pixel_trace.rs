@@ -12,7 +12,8 @@ use step05_phong::{
     Hit, Light, Material, Object, Scene, light_terms, nearest, phong, reflect, visible_point,
 };
 
-/// Describes what a ray hits first: an object, with the t of the hit, or the sky.
+/// Names the object that a ray hits first, and the t of the hit. If the ray hits no object, returns
+/// “sky”.
 pub fn describe_hit<M>(objects: &[Object<M>], ray: &Ray) -> String {
     match nearest(objects, ray) {
         Some(Hit { object, t }) => {
@@ -22,7 +23,8 @@ pub fn describe_hit<M>(objects: &[Object<M>], ray: &Ray) -> String {
     }
 }
 
-/// The trace of the probe's pixel, without the shading. [`trace_shading`] returns that.
+/// The trace of the probe's pixel, without the shading. [`trace_shading`] returns the trace of the
+/// shading.
 pub fn trace_pixel<M>(
     values: &ParameterValues,
     objects: &[Object<M>],
@@ -53,7 +55,8 @@ pub fn trace_pixel<M>(
         ];
         readouts.extend(row.map(|(column, text)| (row_readout_name(column, k), text)));
     }
-    // A ray has either a nearest hit or a sky colour. The readouts for the other are empty.
+    // If the ray hits an object, the readout for the sky is empty. Otherwise, the readouts for the
+    // hit are empty.
     let [object, t, p, sky] = match nearest(objects, &ray) {
         Some(Hit { object, t }) => {
             [short_name(object.name).into(), format_number(t), format_vector(ray.at(t)), "".into()]

@@ -20,7 +20,7 @@ const ASPECT_RATIOS: [AspectRatio; 4] = [
     AspectRatio { width: 2.59, height: 1.0 },
 ];
 
-/// The names of the aspect ratios on the control, in the same order.
+/// The names that the control shows for [`ASPECT_RATIOS`], in the same order.
 const ASPECT_RATIO_NAMES: &[&str] = &["4:3", "16:9", "2.35:1", "2.59:1"];
 
 /// The picture of step 1. Its field of view, aspect ratio and number of columns can be set.

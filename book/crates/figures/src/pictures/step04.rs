@@ -8,7 +8,7 @@ use glam::DVec3;
 use step04_diffuse::{COOL_LIGHT, Matte, OBJECTS, PointLight, Scene, WARM_LIGHT, colour};
 use step05_phong::{Light, Material};
 
-/// The positions of the lights, in the order of the scene.
+/// The ids of the lights' positions, in the order of the lights in the scene.
 const LIGHTS: [PointId; 2] =
     [PointId(LIGHT_NAMES[0].with_article), PointId(LIGHT_NAMES[1].with_article)];
 
@@ -17,7 +17,7 @@ pub fn figure() -> Figure {
     let [warm, cool] = LIGHTS;
     let parameters = [
         position_parameters(warm, WARM_LIGHT.position, [[-8.0, 8.0], [-1.0, 8.0], [-12.0, 2.0]]),
-        // Throughout these ranges, the light is in the picture.
+        // Wherever these ranges put the light, it is within the picture.
         position_parameters(cool, COOL_LIGHT.position, [[-6.0, 6.0], [-3.4, 3.4], [-16.0, -11.0]]),
     ];
     let mut figure =
@@ -66,7 +66,7 @@ fn readouts(values: &ParameterValues) -> Readouts {
     readouts
 }
 
-/// Converts the scene to one for step 5, without highlights.
+/// Converts a scene of step 4 to a scene of step 5 without highlights.
 fn phong_scene(scene: &Scene<Matte, PointLight>) -> Scene<Material, Light> {
     let specular = DVec3::ZERO;
     let objects = scene.objects.iter().map(|object| {

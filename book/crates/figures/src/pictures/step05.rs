@@ -1,4 +1,4 @@
-//! The picture of step 5, with terms to switch off and materials to set.
+//! The picture of step 5, in which the reader can switch terms off and set materials.
 
 use super::pixel_trace::{trace_pixel, trace_shading};
 use crate::probe::{draw_picture, probe_ray, probed_picture};
@@ -67,8 +67,8 @@ fn readouts(values: &ParameterValues) -> Readouts {
     readouts
 }
 
-/// A parameter that belongs to an object. The page shows its control only while the probe is on the
-/// object.
+/// A parameter that belongs to an object. The page shows the parameter's control only while the
+/// probe is on the object.
 pub fn probed_object_parameter(
     id: ParameterId,
     object: &str,
