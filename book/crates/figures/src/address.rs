@@ -13,7 +13,9 @@ pub enum AddressError {
     UnknownParameter(String),
     /// The value isn't a number within the parameter's range.
     #[error(
-        "The address says “{value}” for {parameter}; allowed are {} to {}.", .range[0], .range[1]
+        "The address says “{value}” for {parameter}, which must be from {} to {}.",
+        .range[0],
+        .range[1]
     )]
     NotAllowed {
         /// The name of the parameter.
