@@ -24,7 +24,7 @@ fn main() -> ExitCode {
 }
 
 /// Draws the mistakes whose code or right pictures have changed, and compiles the modules for the
-/// book's pages if their sources have changed.
+/// book's pages if the modules' sources have changed.
 fn regenerate() -> XtaskResult<()> {
     if let Some(argument) = env::args_os().nth(1) {
         return Err(XtaskError::Argument(argument.display().to_string()));

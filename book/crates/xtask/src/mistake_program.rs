@@ -1,6 +1,6 @@
-//! Generates a program that draws many mistakes, and runs it. Each mistake is a module in this
-//! program. It contains a copy of the step with the mistake in it, and copies of all later steps.
-//! Earlier steps are the course's own crates.
+//! Generates and runs a program that draws many mistakes. Each mistake has a module in this
+//! program. The module contains a copy of the mistake's step, with the mistake in it, and unchanged
+//! copies of all later steps. For earlier steps, the copies use the course's own crates.
 
 use crate::error::{XtaskError, XtaskResult};
 use course::{
@@ -14,14 +14,14 @@ use std::path::{Path, PathBuf};
 /// panics.
 pub type DrawnPictures = Vec<(Step, Option<RgbImage>)>;
 
-/// The start of the program's manifest. The dependencies follow.
+/// The start of the program's manifest, before the dependencies.
 const MANIFEST: &str = r#"
 workspace = {}
 package = { name = "mistakes", edition = "2024" }
 profile.dev = { debug = false, incremental = false, package.png.opt-level = 3 }
 "#;
 
-/// The start of the program's main file. The modules and the list of pictures to draw follow.
+/// The start of the program's main file, before the modules and the list of pictures to draw.
 const MAIN: &str = "#![allow(warnings)]
 use rayon::prelude::*;
 
@@ -31,7 +31,7 @@ fn main() {
 }
 ";
 
-/// Draws mistakes with a single program, and returns the pictures of each.
+/// Draws mistakes with a single program. Returns the pictures of each mistake.
 pub fn draw_mistakes(mistakes: &[&Mistake]) -> XtaskResult<Vec<DrawnPictures>> {
     let folder = generated_package_folder();
     let _ = fs::remove_dir_all(folder.join("src"));
@@ -54,7 +54,7 @@ pub fn draw_mistakes(mistakes: &[&Mistake]) -> XtaskResult<Vec<DrawnPictures>> {
         .collect())
 }
 
-/// Returns the text of a mistake's file with the mistake in it, without indentation.
+/// Applies a mistake to the text of its file. Returns this text without indentation.
 pub fn unindented_text_with_mistake(mistake: &Mistake) -> XtaskResult<String> {
     let text = read_text(&workspace().join(&mistake.file))?;
     mistake.apply_and_strip_indentation(&text).map_err(|count| {
@@ -80,7 +80,8 @@ fn generated_package_folder() -> PathBuf {
     target_folder().join("mistakes")
 }
 
-/// The path, without an extension, where the program saves the picture of a step with mistake `k`.
+/// The path, without its extension, of the file in which the program saves a step's picture with
+/// mistake `k`.
 fn picture_path_without_extension(k: usize, step: Step) -> String {
     format!("src/m{k}/{}", step.name())
 }
@@ -154,8 +155,8 @@ mod tests {
         );
         mistake.old = "no such code".to_owned();
         let error = unindented_text_with_mistake(&mistake).expect_err("the code isn't there");
-        let message = "the code of the mistake \"the angle is in degrees\" appears 0 times in \
-                       steps/step01_rays/src/program.rs, not once";
+        let message = "the code of the mistake \"the angle is in degrees\" must appear once in \
+                       steps/step01_rays/src/program.rs, but appears 0 times";
         assert_eq!(error.to_string(), message);
     }
 }

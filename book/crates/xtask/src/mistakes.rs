@@ -14,18 +14,19 @@ use std::collections::HashMap;
 use std::fs;
 
 /// The maximum number of mistakes in one program. With more, the compiler would need too much
-/// memory. The results are written after each program, so if the command is interrupted, the next
-/// one continues from there.
+/// memory. The results are written after each program, so a command that is interrupted keeps the
+/// results of all programs that have finished.
 const BATCH_SIZE: usize = 60;
 
-/// All mistakes, and what is known about their pictures: the rows of the table keyed by redraw key,
-/// and the small pictures keyed by name.
+/// All mistakes, and what is known about their pictures.
 pub struct DrawnMistakes {
     /// The names and hashes of the right pictures.
     right: Vec<(&'static str, u64)>,
-    /// All mistakes, each with its key.
+    /// All mistakes, each with its redraw key.
     all: Vec<(u32, &'static Mistake)>,
+    /// The rows of the table, keyed by redraw key.
     rows: HashMap<u32, Vec<Option<u64>>>,
+    /// The small pictures, keyed by name.
     small_pictures: HashMap<&'static str, RgbImage>,
 }
 
@@ -47,9 +48,12 @@ pub fn draw_new_mistakes() -> XtaskResult<()> {
     drawn_mistakes.write()
 }
 
-/// Hashes everything that determines a mistake's pictures: the code of its file with the mistake in
-/// it, the right pictures of the steps that it affects, and the names and steps of the pictures
-/// that the book shows. If the key changes, the mistake has to be drawn again.
+/// Hashes everything that determines a mistake's pictures:
+/// - the code of its file, with the mistake in it;
+/// - the right pictures of the steps that the mistake affects;
+/// - the names and steps of the pictures in the book that show the mistake.
+///
+/// If the hash changes, the mistake has to be drawn again.
 pub fn redraw_key(mistake: &Mistake, right: &[(&str, u64)]) -> XtaskResult<u32> {
     let steps: Vec<_> = mistake.affected_steps().map(Step::name).collect();
     let affected = right.iter().filter(|(name, _)| steps.contains(name));
@@ -107,7 +111,8 @@ impl DrawnMistakes {
         }
     }
 
-    /// A step's small pictures with their names, in the order in which the mistakes are listed.
+    /// The small pictures of a step, each with its name. Their order is that of the list of
+    /// mistakes.
     fn step_pictures(&self, step: Step) -> Vec<(&'static str, &RgbImage)> {
         let shown = self.all.iter().flat_map(|(_, mistake)| mistake.pictures());
         shown
@@ -160,13 +165,14 @@ mod tests {
 
     #[test]
     fn mistake_without_its_row_or_one_small_picture_is_new() {
-        let read = || DrawnMistakes::read().expect("the list and the table");
+        let read = || DrawnMistakes::read().expect("the list and the table can be read");
         let (mut without_row, mut without_picture) = (read(), read());
         let known = new_titles(&without_row);
         let is_shown = |(_, mistake): &&(u32, &Mistake)| {
             mistake.shown.is_some() && !known.contains(&title_and_file(mistake))
         };
-        let (key, mistake) = without_row.all.iter().rfind(is_shown).copied().expect("a mistake");
+        let (key, mistake) =
+            without_row.all.iter().rfind(is_shown).copied().expect("a mistake is shown and drawn");
         let expected = [title_and_file(mistake)];
         without_row.rows.remove(&key);
         without_picture.small_pictures.remove(mistake.pictures()[0].name);

@@ -1,6 +1,7 @@
-//! The WebAssembly modules for the book's pages. Each is the package `page`, compiled with one of
-//! its features. They are checked in, so that nobody needs a second compilation target to build the
-//! book. modules.txt contains a hash of their sources, and the version of the compiler.
+//! The WebAssembly modules for the book's pages. Each module is the package `page`, compiled with
+//! one of the package's features. The modules are checked in, so that nobody needs a second
+//! compilation target to build the book. The file modules.txt contains a hash of the modules'
+//! sources, and the version of the compiler.
 
 use crate::error::{XtaskError, XtaskResult};
 use crate::source_hash::source_hash;
@@ -45,7 +46,7 @@ fn compile_module(name: &'static str) -> XtaskResult<Vec<u8>> {
     let flags: Vec<_> =
         sources.map(|path| format!("--remap-path-prefix={}=", path.display())).collect();
     let folder = target_folder().join("wasm");
-    // The crate in this folder takes the place of rayon.
+    // The crate in the folder `rayon` replaces the real rayon.
     let replacement = format!("paths=[{:?}]", page_package_folder().join("rayon"));
     let status = cargo_command()
         .args(["rustc", "--locked", "--config", &replacement])
@@ -65,9 +66,9 @@ fn compile_module(name: &'static str) -> XtaskResult<Vec<u8>> {
     fs::read(&path).map_err(XtaskError::of_file(&path))
 }
 
-/// Finds a folder on this machine whose path is in the module: the workspace, the target folder, or
-/// Cargo's home. A module with such a path would differ from machine to machine. The paths of
-/// the standard library's sources may stay, since they come with the compiler.
+/// Checks whether a module contains the path of the workspace, of the target folder or of Cargo's
+/// home, and returns that path. A module with such a path would differ from machine to machine.
+/// Paths of the standard library's sources are allowed, because they come with the compiler.
 fn find_local_folder(module: &[u8]) -> Option<PathBuf> {
     let folders = [workspace(), target_folder(), cargo_home()];
     folders.into_iter().find(|folder| {

@@ -11,11 +11,14 @@ use std::path::{Path, PathBuf};
 const FOLDERS: [&str; 5] =
     ["steps", "book/crates/check", "book/crates/course", "book/crates/figures", "book/crates/page"];
 
-/// Files and folders in [`FOLDERS`] whose paths end like this aren't hashed: the file that contains
-/// the hash, the list of mistakes (a page loads it separately), tests and benchmarks.
+/// Names of files and folders in [`FOLDERS`] that aren't hashed:
+/// - the file that contains the hash;
+/// - the folder of mistakes, which a page loads separately;
+/// - tests and benchmarks.
 const SKIPPED_NAMES: [&str; 4] = ["modules.txt", "course/mistakes", "tests", "benches"];
 
-/// Sources that a page shows for readers to copy. In these, comments and indentation count, too.
+/// Sources that a page shows for readers to copy. In these files, comments and indentation are
+/// hashed, too.
 const SHOWN_ON_PAGES: [&str; 3] =
     ["examples/own_scene.rs", "examples/look_at.rs", "figures/src/own_scene/program.rs"];
 
@@ -35,7 +38,7 @@ pub fn source_hash() -> XtaskResult<String> {
     Ok(format!("{:016x}", hash_texts(texts?)))
 }
 
-/// Hashes several texts into one number, which also depends on where each of them ends.
+/// Hashes several texts into one number, which also depends on where each text ends.
 pub fn hash_texts(texts: impl IntoIterator<Item = String>) -> u64 {
     fnv_1a(texts.into_iter().flat_map(|text| text.into_bytes().into_iter().chain([0])))
 }
@@ -78,7 +81,7 @@ mod tests {
     fn code_and_places_are_sources_and_the_list_of_mistakes_is_not() {
         let mut files = vec![];
         push_source_files(&workspace().join("book/crates/course"), &mut files)
-            .expect("readable files");
+            .expect("the files can be read");
         let is_source = |end: &str| files.iter().any(|path| path.ends_with(end));
         for name in ["mistake.rs", "places.txt", "Cargo.toml"] {
             assert!(is_source(name), "{name}");

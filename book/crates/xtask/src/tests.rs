@@ -11,7 +11,8 @@ use std::io::{Write, stderr};
 
 #[test]
 fn modules_are_up_to_date_with_their_sources() {
-    let note = "The pages' modules are older than their source code. `cargo xtask` compiles them.";
+    let note =
+        "The pages' modules are older than their source code. Run `cargo xtask` to compile them.";
     let is_stale = modules::are_stale().expect("the sources can be read");
     assert!(!is_stale || !is_ci(), "{note}");
     if is_stale {
@@ -28,26 +29,29 @@ fn modules_export_the_functions_that_pages_call() {
     assert_eq!(names.len(), 2, "{names:?}");
     for module in WASM_MODULES {
         let path = modules::page_package_folder().join(format!("{module}.wasm"));
-        let bytes = fs::read(path).expect("a module");
+        let bytes = fs::read(path).expect("the module can be read");
         for name in &names {
             let is_exported = bytes.windows(name.len()).any(|part| part == name.as_bytes());
-            assert!(is_exported, "{module}.wasm has no {name}. `cargo xtask` compiles it again.");
+            assert!(
+                is_exported,
+                "{module}.wasm has no {name}. Run `cargo xtask` to compile it again."
+            );
         }
     }
 }
 
 #[test]
 fn table_of_mistakes_is_up_to_date() {
-    let drawn_mistakes =
-        DrawnMistakes::read().expect("each mistake's code occurs once, and each picture is there");
+    let drawn_mistakes = DrawnMistakes::read()
+        .expect("each mistake's code occurs once, and each picture can be read");
     let new: Vec<_> =
         drawn_mistakes.new_mistakes().map(|(_, mistake)| title_and_file(mistake)).collect();
-    let note = "These mistakes haven't been drawn yet. `cargo xtask` draws them:";
+    let note = "These mistakes haven't been drawn yet. Run `cargo xtask` to draw them:";
     assert!(new.is_empty(), "{note}\n{}", new.join("\n"));
-    let texts = mistake_texts().expect("a program includes the texts");
+    let texts = mistake_texts().expect("this program includes the texts");
     assert!(
         drawn_mistakes.table_text() == texts.table,
-        "table.txt is out of date. `cargo xtask` writes it."
+        "table.txt is out of date. Run `cargo xtask` to write it."
     );
 }
 
@@ -62,7 +66,7 @@ fn mistake_is_redrawn_if_the_name_or_step_of_its_picture_changes() {
         MistakePicture { name: "another", ..picture },
     ] {
         let mut mistake = mistakes()[0].clone();
-        mistake.shown.as_mut().expect("it is shown").pictures = vec![changed];
+        mistake.shown.as_mut().expect("the book shows the first mistake").pictures = vec![changed];
         assert_ne!(known, redraw_key(&mistake, &[]).ok(), "{changed:?}");
     }
 }
@@ -77,7 +81,10 @@ fn each_mistake_is_a_change_and_listed_once() {
             let is_valid = |picture: &MistakePicture| picture.step >= mistake.step;
             assert!(shown.pictures.iter().all(is_valid), "{title}: {:?}", shown.pictures);
             let texts = [shown.reason, shown.section, shown.effect];
-            assert!(texts.iter().all(|text| !text.is_empty()), "{title} lacks one of {texts:?}");
+            assert!(
+                texts.iter().all(|text| !text.is_empty()),
+                "{title} has an empty text: {texts:?}"
+            );
         }
         let is_new = changes.insert((mistake.file.clone(), mistake.old_and_new_lines()));
         assert!(is_new, "{title} is listed twice");
