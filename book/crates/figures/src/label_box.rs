@@ -16,8 +16,8 @@ impl LabelBox {
     /// The box around a text that has this class. The text's baseline is at `position`.
     pub fn new(class: &str, position: DVec2, text: &str) -> Self {
         let has = |name: &str| class.split(' ').any(|word| word == name);
-        // These are the sizes in the theme's css/drawing.css. Small text has the size that it has
-        // on a phone, where it is largest.
+        // The font sizes are those in the theme's css/drawing.css. For small text, this is the size
+        // on a phone, where small text is largest.
         let size = match () {
             () if ["strong", "accent", "second"].into_iter().any(has) => 18.0,
             () if ["quiet", "small"].into_iter().any(has) => 15.5,

@@ -30,7 +30,7 @@ pub struct Parameter {
     /// The direction in which a handle moves when the value grows. None if the parameter isn't a
     /// coordinate.
     pub axis: Option<Axis>,
-    /// Whether the page shows a control for this parameter at these values of all parameters.
+    /// Whether the page shows a control for this parameter when the figure has these values.
     pub has_control: fn(&Self, &ParameterValues) -> bool,
 }
 

@@ -87,7 +87,7 @@ impl ParameterValues {
         self[id] == 1.0
     }
 
-    /// The option that the value of a choice selects.
+    /// The option that is selected in a choice.
     pub fn choice<T: Copy>(&self, id: ParameterId, options: &[T]) -> T {
         options[self[id] as usize]
     }

@@ -7,7 +7,7 @@ use glam::{DVec2, DVec3, dvec2};
 use image::RgbImage;
 use step01_rays::{Ray, render};
 
-/// The columns and rows of the course's pictures.
+/// The size of the course's pictures, in columns and rows.
 pub const SIZE: DVec2 = dvec2(PICTURE_COLUMNS as f64, PICTURE_ROWS as f64);
 
 /// The parameters for the column and row of the probe's pixel.

@@ -1,4 +1,5 @@
-//! Keeps the table and the small pictures of the mistakes up to date, by drawing what has changed.
+//! Keeps the table and the small pictures of the mistakes up to date, by drawing each mistake that
+//! has changed.
 
 use crate::error::{XtaskError, XtaskResult};
 use crate::mistake_program::{self, DrawnPictures, title_and_file, unindented_text_with_mistake};

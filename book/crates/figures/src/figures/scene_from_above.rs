@@ -1,4 +1,4 @@
-//! The scene of step 3 from above, next to its picture.
+//! The scene of step 3 from above, with the pixel that the reader chooses in the picture of step 3.
 
 use super::*;
 use crate::pictures::step03;
