@@ -21,7 +21,7 @@ pub fn refuse<T>(range: Range<usize>, fault: Fault) -> Result<T, Refusal> {
 }
 
 /// What is wrong with a part of a line, told to the reader in one or two sentences. A list of names
-/// may follow on its own line.
+/// may follow on a second line.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[allow(missing_docs, reason = "each has its sentence")]
 pub enum Fault {
@@ -124,11 +124,11 @@ pub enum Fault {
     NoVectors,
     #[error("For powers, Rust has .powi(2) or .powf(0.5).")]
     Caret,
-    #[error("Between these brackets, there is 0, 1 or 2.")]
+    #[error("Between these brackets, write 0, 1 or 2.")]
     Index,
     #[error("An array here has three numbers.")]
     ArrayLength,
-    #[error("After as, there is f64 or i32.")]
+    #[error("After as, write f64 or i32.")]
     Cast,
     #[error("A page can't draw with {0}.")]
     Operator(String),
@@ -138,7 +138,7 @@ pub enum Fault {
     NoFunction { cure: String },
     #[error("In Rust, it's a method: {cure}.")]
     Method { cure: String },
-    #[error("Rust writes it {cure}.")]
+    #[error("In Rust, write {cure}.")]
     Function { cure: String },
     #[error("It's a field, not a method: write {cure}.")]
     Field { cure: String },
@@ -173,8 +173,8 @@ pub enum Fault {
 }
 
 impl Fault {
-    /// The replacement that the fault's sentence suggests for the range at fault. None if the
-    /// sentence suggests no code, or only code with gaps.
+    /// Returns the replacement that the fault's sentence suggests for the range at fault. Returns
+    /// None if the sentence suggests no code, or only code with gaps.
     pub fn cure(&self) -> Option<&str> {
         let cure = match self {
             Fault::Assignment { cure, .. }
