@@ -1,5 +1,5 @@
 //! Copies the source of the five steps into modules. In the copy, each *place* (an expression that
-//! a reader may edit) first asks whether the reader has edited it.
+//! a reader may edit) first checks whether the reader has edited it.
 
 #[path = "../course/src/source_code/crate_as_module.rs"]
 mod crate_as_module;
@@ -16,7 +16,8 @@ use std::{collections::BTreeMap, env, path::Path};
 
 const STEPS: &str = "../../../steps";
 
-/// In the copy, this replaces step 1's draw_pixels.rs, which shares the rows among threads.
+/// What step 1's draw_pixels.rs contains in the copy. The original shares the rows among threads,
+/// but the context in `edited_picture.rs` is thread-local.
 const DRAW_PIXELS: &str = "pub use crate::expressions::draw_pixels;\n";
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -25,7 +26,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!("cargo::rerun-if-changed=../course/src");
     let places = all_listed_places();
     // `edited_picture.rs` has one bit of a u64 for each place.
-    assert!(places.len() <= u64::BITS as usize, "places.txt has too many places for a u64");
+    assert!(places.len() <= u64::BITS as usize, "places.txt has more places than a u64 has bits");
     let out = env::var("OUT_DIR")?;
     let mut modules = String::new();
     for (name, text) in source_files()? {
@@ -45,8 +46,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(write(Path::new(&out).join("steps.rs"), modules)?)
 }
 
-/// Reads the steps' source files, keyed by paths such as `step01_rays/src/ray.rs`. They are sorted,
-/// so that the copy is the same on every machine.
+/// Returns the text of each of the steps' source files, keyed by a path such as
+/// `step01_rays/src/ray.rs`. The map is sorted, so that the copy is the same on every machine.
 fn source_files() -> Result<BTreeMap<String, String>, Box<dyn Error>> {
     let mut files = BTreeMap::new();
     for step in read_dir(STEPS)? {
@@ -59,22 +60,27 @@ fn source_files() -> Result<BTreeMap<String, String>, Box<dyn Error>> {
     Ok(files)
 }
 
-/// Rewrites a source file of a step so that each place first asks for the value of the reader's
-/// line, and a failed `debug_assert!` ends the picture instead of the whole module.
+/// Rewrites a source file of a step. In the result, each place first asks for the value of the
+/// reader's line, and a failed `debug_assert!` stops the drawing instead of crashing the module.
 ///
-/// The steps themselves have no hook for this, because the book shows every line of them. So they
-/// are compiled a second time, from a text in which a few words are replaced. That needs no parser.
-/// A place is a whole expression whose code occurs exactly once in its file, so its replacement is
-/// an expression in the same position. The function that replaces `debug_assert!` takes the same
-/// arguments: a condition and a sentence. If a step is ever written differently, the copy either
-/// fails to compile or draws a different picture, and tests compare the picture of every place with
-/// the locked one. They also report any place whose code isn't found. Here such a place is skipped,
-/// because a failing build would keep the test of the changed picture from running.
+/// The steps themselves have no hook for this, because the book shows every line of them. So a few
+/// words of their source are replaced, and the result is compiled as a second copy. Replacing these
+/// words needs no parser:
+///
+/// - A place is a whole expression whose code occurs exactly once in its file. What replaces it is
+///   an expression, too.
+/// - The function that replaces `debug_assert!` takes the same arguments: a condition and a
+///   sentence.
+///
+/// If someone changes a step so that a replacement goes wrong, the copy either fails to compile or
+/// draws a different picture. For every place, a test compares the picture with the locked one. A
+/// test also reports any place whose code isn't found. This function skips such a place instead of
+/// failing, because no test can run if the build fails.
 fn with_editable_places(text: &str, file: &str, places: &[Place]) -> String {
     let places = places.iter().filter(|place| place.file == file);
     let found = places.filter_map(|place| Some((place.find_range(text).ok()?, place)));
     let mut edits: Vec<_> = found.collect();
-    // Last edit first, because an edit shifts the text after it.
+    // The last edit comes first, because an edit shifts the text after it.
     edits.sort_by_key(|(range, _)| Reverse(range.start));
     let mut copy = text.to_owned();
     for (range, Place { index, variables, .. }) in edits {

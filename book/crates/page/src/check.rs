@@ -4,8 +4,8 @@ use ::check::{Answer, CheckError, FAILURE_EXIT_CODE, check_png, check_scene_png}
 use course::json;
 use figures::Reply;
 
-/// Checks a file. `picture` is the name of the expected picture, or None to let `check` recognise
-/// it.
+/// Checks a file. `picture` is the name of the expected picture. If it is None, the crate `check`
+/// finds out which picture the file should show.
 pub fn check(file: &[u8], file_name: &str, picture: Option<&str>) -> Reply {
     let draw = |name: &str| {
         let picture = course::find_picture(name).map(|picture| picture(&course::camera(), 1));
@@ -19,8 +19,9 @@ pub fn check_scene(file: &[u8], file_name: &str, person: &str) -> Reply {
     report(check_scene_png(file, file_name, person))
 }
 
-/// Converts what `check` returns to a reply: its exit code and lines, and the picture of the
-/// differences, if there is one.
+/// Makes a reply from the result of a check. The reply contains the exit code and the lines of the
+/// answer. If the picture differs from the right one, it also contains the two pictures and their
+/// difference, side by side.
 fn report(result: Result<Answer, CheckError>) -> Reply {
     let answer = match result {
         Ok(answer) => answer,

@@ -18,21 +18,21 @@ const ALLOWED_COLUMNS: RangeInclusive<u32> = 16..=FULL_SIZE;
 /// The width of the book's pictures.
 const FULL_SIZE: u32 = PICTURE_COLUMNS;
 
-/// The maximum number of operations per picture: 17 for each pixel at full size. They take about
-/// 150 ms in a browser, on top of the book's own code.
+/// The maximum number of operations per picture: 17 for each pixel at full size. In a browser, this
+/// many operations take about 150 ms, in addition to the time for the book's own code.
 const MAX_OPERATIONS: u64 = 4_000_000;
 
-/// The horizontal and vertical distance between the pixels that are tried in a later step's picture.
+/// The horizontal and vertical distance between the pixels that [`describe_later_steps`] draws.
 const PIXEL_SPACING: u32 = 12;
 
-/// Draws a step with the reader's lines in it. Replies with the picture and the names that the
-/// first line may use, or with what is wrong with one of the lines. For a picture at full size, the
-/// reply also says whether it is right or the result of a known mistake.
+/// Draws a step with the reader's lines in it. The reply contains either the picture and the names
+/// that the first line may use, or what is wrong with one of the lines. For a picture at full size,
+/// the reply also says whether the picture is right, or which known mistake draws it.
 pub fn edit(columns: u32, lines: &[EditedLine]) -> Result<Reply, RequestError> {
     Ok(Edit::new(columns, lines)?.reply())
 }
 
-/// The edited lines of a page, each with its place, and the width of the picture.
+/// A request to draw edited lines: the width of the picture, and each line with its place.
 struct Edit<'a> {
     columns: u32,
     lines: Vec<(Place, &'a str)>,
@@ -45,7 +45,7 @@ impl<'a> Edit<'a> {
             return Err(RequestError::Columns(columns));
         }
         let places = all_listed_places();
-        // Each place occurs at most once on a page.
+        // A page shows each place at most once, so there can't be more lines than places.
         if lines.is_empty() || lines.len() > places.len() {
             return Err(RequestError::LineCount(lines.len()));
         }
@@ -68,7 +68,8 @@ impl<'a> Edit<'a> {
         self.lines.iter().map(parse).collect()
     }
 
-    /// Draws the picture, at half width and height if full size takes too many operations.
+    /// Draws the picture. If that takes too many operations at full size, draws it at half the
+    /// width and height instead.
     fn draw(&self) -> Result<RgbImage, LineRefusal> {
         let expressions = self.compile_lines()?;
         let draw = |columns, operations| draw_step_of_first_line(&expressions, columns, operations);
@@ -76,8 +77,8 @@ impl<'a> Edit<'a> {
         if self.columns < FULL_SIZE {
             return draw(self.columns, MAX_OPERATIONS);
         }
-        // A hundredth of the pixels is enough to see that all of them would take more than twice
-        // the limit. If so, don't even try full size.
+        // First draw a hundredth of the pixels. If that shows that all pixels would take more than
+        // twice the limit, don't even try full size.
         if !takes_too_long(&draw(FULL_SIZE / 10, 2 * MAX_OPERATIONS / 100)) {
             let result = draw(FULL_SIZE, MAX_OPERATIONS);
             if !takes_too_long(&result) {
@@ -121,14 +122,16 @@ impl<'a> Edit<'a> {
     }
 }
 
-/// Converts a byte range of a text to a range of UTF-16 code units, in which JavaScript counts.
+/// Converts a byte range of a text to a range of UTF-16 code units, because these are what
+/// JavaScript counts.
 fn utf16_range(text: &str, bytes: &Range<usize>) -> Range<usize> {
     let code_units = |end: usize| text[..end].encode_utf16().count();
     code_units(bytes.start)..code_units(bytes.end)
 }
 
-/// Says that a picture is right, or which listed mistake at the place of the only edited line draws
-/// the same pixels. Returns None for any other picture, and for a wrong one of a single colour.
+/// Says that a picture is right, or which listed mistake draws the same pixels. A mistake is only
+/// considered if a single line is edited, and if the mistake changes the code at the place of this
+/// line. Returns None for any other picture, and for a wrong picture that has a single colour.
 fn describe_picture(edit: &Edit, picture: &RgbImage) -> Option<String> {
     let lines = &edit.lines;
     let (place, _) = lines.first()?;
@@ -156,14 +159,14 @@ fn describe_picture(edit: &Edit, picture: &RgbImage) -> Option<String> {
 }
 
 /// Says which later step, if any, would show the effect of the lines. Step 2's picture can't show
-/// it, because that depends on whether a ray meets the ball, but not at which t. Returns None if
-/// drawing the later steps takes too many operations.
+/// it, because that picture depends on whether a ray meets the ball, but not on the t of the hit.
+/// Returns None if drawing the later steps takes too many operations.
 fn describe_later_steps(edit: &Edit) -> Option<String> {
     let lines = edit.compile_lines().ok()?;
     let blind = "This picture can't show what you changed here: it shows whether a ray meets the \
                  ball, not at which t.";
-    // The limit per pixel is eight times that of a picture at full size, because a later step may
-    // evaluate the lines for each of its nine balls.
+    // Each of these pixels may take eight times as many operations as a pixel at full size, because
+    // a later step may evaluate the lines for each of its nine balls.
     let operations = 8 * MAX_OPERATIONS / u64::from(PIXEL_SPACING * PIXEL_SPACING);
     let draw = |step: Step, lines: &[Expression]| {
         draw_some_pixels(step, lines, PIXEL_SPACING, FULL_SIZE, operations)
@@ -202,7 +205,7 @@ mod tests {
     }
 
     fn reply<const N: usize>(columns: u32, lines: [(&str, &str); N]) -> Reply {
-        edit(columns, &edited_lines(lines)).expect("lines of the book")
+        edit(columns, &edited_lines(lines)).expect("the request is valid")
     }
 
     #[test]

@@ -1,5 +1,6 @@
 //! The functions that a page calls. The page writes a request, and possibly a file, into the
-//! module's memory and reads the reply from there. No pointer is dereferenced on this side.
+//! module's memory and reads the reply from there. The code here dereferences no pointer: it only
+//! returns addresses.
 
 use crate::reply;
 use figures::Reply;
@@ -10,8 +11,8 @@ thread_local! {
     static REPLY: RefCell<(Reply, [usize; 4])> = RefCell::default();
 }
 
-/// Allocates this many bytes for an input, and returns their address. Index 0 is for the next
-/// request, and index 1 for the file that goes with it.
+/// Allocates `length` bytes for an input, and returns their address. The input with index 0 is the
+/// next request, and the input with index 1 is the file that comes with the request.
 #[unsafe(no_mangle)]
 extern "C" fn allocate_input(index: usize, length: usize) -> *mut u8 {
     INPUTS.with_borrow_mut(|inputs| {
@@ -20,8 +21,8 @@ extern "C" fn allocate_input(index: usize, length: usize) -> *mut u8 {
     })
 }
 
-/// Replies to the request in memory. Returns the address of four numbers: the address and the
-/// length in bytes of the reply's text, then of its pixels.
+/// Replies to the request in memory. Returns the address of four numbers: the address and length of
+/// the reply's text, and the address and length of its pixels. The lengths are in bytes.
 #[unsafe(no_mangle)]
 extern "C" fn make_reply() -> *const usize {
     let [request, file] = INPUTS.take();

@@ -1,6 +1,6 @@
-//! A JSON reader that is just large enough for requests. The writer in `course` is its counterpart
-//! for replies. A value remains text until one of its methods parses it, so a part of a request
-//! that nobody reads isn't checked.
+//! A JSON reader that supports only what requests need. The JSON writer for replies is in `course`.
+//! A value remains text until one of its methods parses it, so only those parts of a request are
+//! checked that are read.
 
 use std::str::FromStr;
 
@@ -69,8 +69,8 @@ impl<'a> Json<'a> {
     }
 }
 
-/// Splits a text at a separator, except within strings and brackets. Returns None if one of those
-/// isn't closed.
+/// Splits a text at a separator, except within strings and brackets. Returns None if a string or a
+/// bracket isn't closed.
 fn split(text: &str, separator: u8) -> Option<Vec<Json<'_>>> {
     let (mut parts, mut start) = (vec![], 0);
     let (mut depth, mut is_string, mut is_escaped) = (0, false, false);

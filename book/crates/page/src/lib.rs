@@ -1,8 +1,8 @@
 //! The WebAssembly modules that the book's pages call.
 //!
 //! `live` draws the figures, `check` examines a picture that a reader drops onto a page, and
-//! `expressions` draws with the lines that a reader edits. Each is a feature of this package and a
-//! file of its own, because few readers need the second and the third.
+//! `expressions` draws pictures with lines that a reader has edited. Each module is a feature of
+//! this package and a file of its own, because few readers need `check` and `expressions`.
 
 #[cfg(feature = "check")]
 mod check;
@@ -11,14 +11,15 @@ mod edit;
 #[cfg(feature = "expressions")]
 pub mod expressions;
 
-// `#[unsafe(no_mangle)]` counts as unsafe code, because the name could clash with another.
+// `#[unsafe(no_mangle)]` counts as unsafe code, because an unmangled name could clash with another
+// symbol.
 #[allow(unsafe_code)]
 mod exports;
 
 mod json;
 mod request;
 
-// Each request needs the feature that replies to it.
+// The tests send every kind of request, so they need every feature.
 #[cfg(all(test, feature = "check", feature = "expressions", feature = "live"))]
 mod tests;
 
@@ -31,7 +32,7 @@ pub fn reply(request: &str, file: &[u8]) -> Reply {
     result.unwrap_or_else(Reply::from_error)
 }
 
-/// Replies to a request, using the part of this package that handles this kind of request.
+/// Passes a request to the part of this package that replies to it.
 pub fn try_reply(request: &Request, file: &[u8]) -> Result<Reply, RequestError> {
     match request {
         Request::Mistakes => {

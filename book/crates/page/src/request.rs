@@ -1,5 +1,6 @@
-//! What a page sends to a module: JSON objects, whose field `request` says what they ask for. The
-//! type `Request` in tests/browser/theme.d.ts describes the same objects for the pages' scripts.
+//! The requests that a page sends to a module. Each is a JSON object, whose field `request`
+//! contains the kind of request. For the pages' scripts, the type `ModuleRequest` in
+//! tests/browser/theme.d.ts describes the same objects.
 
 use crate::json::Json;
 #[cfg(feature = "live")]
@@ -18,7 +19,8 @@ pub enum Request {
     Check {
         /// The name of the file.
         file_name: String,
-        /// The name of the expected picture, or None if `check` should find that out.
+        /// The name of the expected picture, or None if `check` should find out which picture it
+        /// is.
         picture: Option<String>,
     },
     /// Checks whether the file is the picture of a person's scene.
@@ -32,9 +34,9 @@ pub enum Request {
     /// Draws a step with edited lines in it.
     #[cfg(feature = "expressions")]
     Edit {
-        /// The number of columns of the picture.
+        /// The number of columns in the picture.
         columns: u32,
-        /// The edited lines. The first is the one that the reader is editing now.
+        /// The edited lines. The reader is editing the first of these now.
         lines: Vec<EditedLine>,
     },
     /// Asks for something about a figure.
@@ -82,7 +84,7 @@ pub enum RequestError {
     /// No place has this name.
     #[error("There is no place “{0}” to edit.")]
     UnknownPlace(String),
-    /// There is no reply to a request about a figure.
+    /// A request about a figure has no reply.
     #[cfg(feature = "live")]
     #[error(transparent)]
     Figure(#[from] FigureRequestError),
@@ -335,7 +337,8 @@ mod tests {
         }
     }
 
-    /// Without this test, a request that was renamed only here would first fail in a browser.
+    /// Fails if a request is renamed only here. Without this test, the first failure would be in a
+    /// browser.
     #[test]
     fn each_request_that_scripts_send_is_known() {
         let types = include_str!("../../../../tests/browser/theme.d.ts");

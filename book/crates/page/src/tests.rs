@@ -1,12 +1,12 @@
 //! Compares the fields of replies with the types in tests/browser/theme.d.ts, on which the pages'
-//! scripts rely. A script would read a field that was renamed only here as `undefined`.
+//! scripts rely. If a field were renamed only here, a script would read it as `undefined`.
 
 use crate::json::Json;
 use crate::reply;
 use std::collections::BTreeSet;
 use std::sync::LazyLock;
 
-/// The types of the pages' scripts, without their comments.
+/// The types in theme.d.ts, without the comments.
 static TYPES: LazyLock<String> = LazyLock::new(|| {
     let types = include_str!("../../../../tests/browser/theme.d.ts").lines();
     let code = types.filter(|line| !line.trim_start().starts_with(['/', '*']));
@@ -16,7 +16,8 @@ static TYPES: LazyLock<String> = LazyLock::new(|| {
 /// A picture that is right for step 2, and wrong for step 1.
 const PICTURE: &[u8] = include_bytes!("../../../../tests/snapshots/step02_sphere.snap.png");
 
-/// Requests, each with its file. Each field of a reply occurs in the reply to at least one of them.
+/// Requests with their files. Every field that a reply can have occurs in the reply to at least one
+/// of these requests.
 const REQUESTS: [(&str, &[u8]); 15] = [
     (r#"{"request":"mistakes"}"#, b""),
     (r#"{"request":"check","fileName":"my.png","picture":"step02_sphere"}"#, PICTURE),
@@ -38,15 +39,15 @@ const REQUESTS: [(&str, &[u8]); 15] = [
     (r#"{"request":"open","figure":"row","address":""}"#, b""),
 ];
 
-/// A field of a type.
+/// A field of a type in theme.d.ts.
 struct Field {
     name: &'static str,
     is_optional: bool,
     type_name: &'static str,
 }
 
-/// Returns the fields of the interface with this name, or None if there is none. The name may also
-/// be an object type that is written out, such as `{ object: string | null }`.
+/// Returns the fields of an interface, or None if no interface has this name. Instead of a name,
+/// `type_name` may be an object type that is written out, such as `{ object: string | null }`.
 fn find_fields(type_name: &'static str) -> Option<Vec<Field>> {
     let inside = type_name.strip_prefix('{').and_then(|rest| rest.strip_suffix('}'));
     let (mut fields, body) = match inside {
@@ -82,8 +83,8 @@ struct Comparison {
 }
 
 impl Comparison {
-    /// Compares the names of an object's fields with those of its type. Does the same with each
-    /// object in a list.
+    /// Compares the names of an object's fields with the names in its type. Also compares each
+    /// object in the object's lists.
     fn compare(&mut self, type_name: &'static str, object: &[(String, Json)]) {
         let fields = find_fields(type_name).expect(type_name);
         self.types.insert(type_name);
@@ -136,7 +137,7 @@ fn replies_have_the_fields_that_the_scripts_expect() {
         requested.insert(kind.name);
         let reply = reply(request, file);
         let mut object = Json::new(&reply.text).object().expect(request);
-        // The script wasm.js adds the pixels, which aren't in the text.
+        // The reply's text doesn't contain the pixels. The script wasm.js adds them as a field.
         if !reply.pixels.is_empty() {
             object.push(("pixels".to_owned(), Json::NULL));
         }

@@ -1,13 +1,14 @@
-//! The part of rayon's API that the steps and `check` use, on one thread.
+//! The part of rayon's API that the steps and `check` use, implemented on one thread.
 //!
-//! A page has only one thread, so the real rayon would draw on one thread, too. But its code for
-//! sharing rows among threads would be compiled again for each picture, and make up a fifth of
-//! `check.wasm`. If the steps or `check` use more of rayon than is here, the modules don't compile.
+//! A page has only one thread, so the real rayon would draw on one thread, too. But the compiler
+//! would monomorphise rayon's code for sharing rows among threads once for each picture, and a
+//! fifth of `check.wasm` would be this code. If the steps or `check` use any other part of rayon,
+//! the modules don't compile.
 
 use std::convert::Infallible;
 use std::slice;
 
-/// The traits whose methods are called like rayon's, but return ordinary iterators.
+/// Traits with the same names and methods as rayon's. Here, the methods return ordinary iterators.
 pub mod prelude {
     pub use crate::{IntoParallelRefIterator, ParallelBridge};
 }
@@ -65,7 +66,7 @@ impl ThreadPoolBuilder {
     }
 }
 
-/// The current thread.
+/// A pool whose only thread is the current one.
 pub struct ThreadPool;
 
 impl ThreadPool {

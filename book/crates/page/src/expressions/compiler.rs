@@ -1,4 +1,4 @@
-//! Compiles a line. Whatever Rust would refuse is refused.
+//! Compiles a line, or refuses it if Rust would refuse it.
 
 use crate::expressions::evaluation::{Computation, Expression, Interruption};
 use crate::expressions::functions::{Function, find_function, remainder_operations};
@@ -19,8 +19,8 @@ use syn::{BinOp, Expr, ExprBinary, Stmt};
 pub struct Compiler<'a> {
     pub place: &'a Place,
     pub text: &'a str,
-    /// The values that have names: the place's variables, such as `ray.start`, and those bound by
-    /// `let`.
+    /// The variables in scope, each with its name and the code for its value. The place's
+    /// variables, such as `ray.start`, come before those that `let` binds.
     pub names: Vec<(String, Code)>,
 }
 
@@ -45,7 +45,7 @@ pub fn parse_expression(place: &Place, text: &str) -> Result<Expression, Refusal
     })
 }
 
-/// Explains why a line doesn't fit its place, although it is a valid expression on its own.
+/// Explains why a line that is valid on its own doesn't fit its place. Returns None if it fits.
 fn find_place_fault(place: &Place, text: &str, statements: &[Stmt], part: &Part) -> Option<Fault> {
     let has_note = |note| place.notes.contains(&note);
     let [.., Stmt::Expr(syntax, None)] = statements else { return Some(Fault::Block) };
@@ -117,7 +117,7 @@ impl Compiler<'_> {
         self.compile_call(&Call { syntax, kind, name: &name, name_range, operands: &parts })
     }
 
-    /// Refuses a receiver such as 2.0, whose type Rust can't infer before it looks up the method.
+    /// Refuses a receiver such as 2.0, whose type Rust can't infer before looking up the method.
     fn refuse_ambiguous_type(&self, receiver: &Part) -> Refusal {
         let range = receiver.range.clone();
         let literal = &self.text[range.clone()];
@@ -181,14 +181,14 @@ fn compile_function_call(
         (_, [a]) => call_with_values(function, [a.clone()], name_range),
         (_, [a, b]) => call_with_values(function, [a.clone(), b.clone()], name_range),
         (_, [a, b, c]) => call_with_values(function, [a.clone(), b.clone(), c.clone()], name_range),
-        // Unreachable: a call without operands is constant, so it has been evaluated already, and no
-        // function has more than three parameters.
+        // This is unreachable. A call without operands is constant, so it has been evaluated
+        // already. No function has more than three parameters.
         _ => call_with_values(function, [], name_range),
     }
 }
 
-/// Makes the computation for `&&` or `||`. If the value of `first` is `decisive`, that is the
-/// result, and `second` isn't evaluated. Otherwise, the value of `second` is the result.
+/// Makes the computation for `&&` or `||`. If the value of `first` is `decisive`, the result is
+/// `decisive`, and `second` isn't evaluated. Otherwise, the result is the value of `second`.
 fn short_circuit(first: Computation, second: Computation, decisive: bool) -> Computation {
     Computation::Closure(Rc::new(move |evaluation| {
         evaluation.spend(1)?;
@@ -198,7 +198,7 @@ fn short_circuit(first: Computation, second: Computation, decisive: bool) -> Com
 }
 
 /// Makes a computation that calls a function of N arguments with the results of `computations`. If
-/// the function has no result, the error points to its name, at `name_range`.
+/// the function has no result, the error points to the function's name, at `name_range`.
 fn call_with_values<const N: usize>(
     function: &'static Function,
     computations: [Computation; N],
@@ -236,10 +236,11 @@ mod tests {
         Ok(expression.computation)
     }
 
-    /// Evaluates a line with `x` = 0.5 and `k` = 0. Returns None if the program would panic.
+    /// Evaluates a line with `x` = 0.5 and `k` = 0. Returns None if the reader's program would
+    /// panic.
     fn evaluate(value_type: ValueType, text: &str) -> Option<Value> {
         let mut evaluation = crate::expressions::evaluation::Evaluation::new(1000);
-        let computation = compile(value_type, text).expect("a line");
+        let computation = compile(value_type, text).expect("the line compiles");
         evaluation.evaluate(&computation, &[Value::F64(0.5), Value::I32(0)]).ok()
     }
 

@@ -25,12 +25,13 @@ pub struct LineRefusal {
 
 /// The state that the copied steps use while drawing.
 struct Context {
-    /// A bit for each place, at its index in places.txt: whether the reader has edited it. The
-    /// build script makes sure that there are enough bits. This is a bit set for speed: in step 5,
-    /// a single ray looks up more than sixty places, and with a list, a picture on a page took
-    /// twice as long.
+    /// A bit for each place, at the place's index in places.txt. The bit is 1 if the reader has
+    /// edited the place. The build script makes sure that there are enough bits. A list of the
+    /// edited places would be too slow: in step 5, a single ray looks up more than sixty places,
+    /// and a list doubled the time that a picture took.
     edited: Cell<u64>,
-    /// The horizontal and vertical distance between the pixels that are drawn. At 1, all are.
+    /// The horizontal and vertical distance between the pixels that are drawn. If it is 1, all
+    /// pixels are drawn.
     pixel_spacing: Cell<u32>,
     picture: RefCell<EditedPicture>,
 }
@@ -45,9 +46,10 @@ struct EditedPicture {
 }
 
 thread_local! {
-    /// The context of the picture that this thread is drawing. While it draws none, no place is
-    /// edited. It is thread-local because the steps' functions have no parameter for it, and don't
-    /// get one, since the book shows them. Everything else is passed as an argument.
+    /// The context of the picture that this thread is drawing. While the thread draws nothing, no
+    /// place counts as edited. The context is thread-local because the steps' functions have no
+    /// parameter for it. They can't get one, because the book shows these functions. Everything
+    /// else is passed as an argument.
     static CONTEXT: Context = const {
         Context {
             edited: Cell::new(0),
@@ -58,12 +60,13 @@ thread_local! {
 }
 
 impl EditedPicture {
-    /// A picture that may take at most this many operations.
+    /// Creates a picture that may take at most this many operations.
     const fn new(lines: Vec<Expression>, operations: u64) -> Self {
         Self { lines, evaluation: Evaluation::new(operations), refusal: None }
     }
 
-    /// Evaluates the reader's line at a place. Returns None once a line has been refused.
+    /// Evaluates the reader's line at a place. Returns None if that line is refused, or if a line
+    /// has been refused before.
     fn evaluate(&mut self, place_index: usize, variables: &[Value]) -> Option<Value> {
         if self.refusal.is_some() {
             return None;
@@ -83,8 +86,8 @@ impl EditedPicture {
     }
 }
 
-/// Evaluates the reader's line at a place, given the values of its variables. Returns None if the
-/// line there is the book's.
+/// Evaluates the reader's line at a place, given the values of the place's variables. Returns None
+/// if the reader hasn't edited the place.
 #[inline(always)]
 pub fn value_of_line<T, const N: usize>(
     place_index: usize,
@@ -100,7 +103,8 @@ where
 }
 
 /// Evaluates the reader's line at a place. Once a line has been refused, the value no longer
-/// matters, so it is a default. This isn't inlined, which keeps the code at each place small.
+/// matters, so this returns a default. The function isn't inlined, which keeps the code at each
+/// place small.
 #[inline(never)]
 fn evaluate_line<T: Default + TryFrom<Value>>(place_index: usize, variables: &[Value]) -> T {
     let evaluate =
@@ -109,9 +113,9 @@ fn evaluate_line<T: Default + TryFrom<Value>>(place_index: usize, variables: &[V
     value.and_then(|value| T::try_from(value).ok()).unwrap_or_default()
 }
 
-/// Refuses the first line, which stops the drawing, unless `condition` is true. This replaces
-/// `debug_assert!` in the copied steps, at which a development build of the reader's program would
-/// panic.
+/// Replaces `debug_assert!` in the copied steps. If `condition` is false, a development build of
+/// the reader's program would panic, so this function refuses the first line. The refusal stops the
+/// drawing.
 pub fn refuse_first_line_unless(condition: bool, sentence: &'static str) {
     if condition {
         return;
@@ -127,8 +131,9 @@ pub fn refuse_first_line_unless(condition: bool, sentence: &'static str) {
     });
 }
 
-/// Draws a picture pixel by pixel until a line is refused. In the copied steps, this replaces the
-/// function of the same name. That function uses all processors, but our context is thread-local.
+/// Draws a picture pixel by pixel until a line is refused. In the copied steps, this replaces step
+/// 1's function of the same name, which shares the rows among threads. Here a single thread draws
+/// all rows, because the context is thread-local.
 pub fn draw_pixels(camera: &Camera, pixel: impl Fn(f64, f64) -> Rgb<u8> + Sync) -> RgbImage {
     let mut picture = RgbImage::new(camera.h_res, camera.v_res);
     let pixel_spacing = CONTEXT.with(|context| context.pixel_spacing.get());
@@ -157,7 +162,7 @@ pub fn draw_step_of_first_line(
 }
 
 /// Draws some pixels of a step's picture, `pixel_spacing` apart both horizontally and vertically.
-/// The others stay black.
+/// The other pixels stay black.
 pub fn draw_some_pixels(
     step: Step,
     lines: &[Expression],

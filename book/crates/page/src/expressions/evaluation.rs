@@ -18,8 +18,8 @@ pub struct Expression {
 }
 
 impl Expression {
-    /// Computes the line's value from those of its variables. Returns None if the reader's program
-    /// would panic.
+    /// Computes the line's value from the values of its variables. Returns None if the reader's
+    /// program would panic.
     pub fn evaluate(&self, variables: &[Value]) -> Option<Value> {
         Evaluation::new(u64::MAX).evaluate(&self.computation, variables).ok()
     }
@@ -32,7 +32,7 @@ pub enum Computation {
     Constant(Value),
     /// The value is read from this slot.
     Slot(usize),
-    /// The value is computed.
+    /// The closure computes the value.
     Closure(Rc<ValueClosure>),
 }
 
@@ -61,9 +61,9 @@ pub enum Interruption {
 
 /// The state in which lines are evaluated.
 pub struct Evaluation {
-    /// The values of the place's variables, followed by those bound by `let`.
+    /// The values of the place's variables, followed by the values that `let` binds.
     pub slots: Vec<Value>,
-    /// The number of operations that the picture has left.
+    /// The number of operations that the picture may still take.
     operations_left: u64,
 }
 
@@ -73,7 +73,7 @@ impl Evaluation {
         Self { slots: vec![], operations_left: operations }
     }
 
-    /// Computes a line's value from those of its variables.
+    /// Computes a line's value from the values of its variables.
     pub fn evaluate(
         &mut self,
         computation: &Computation,
@@ -85,10 +85,10 @@ impl Evaluation {
         computation.evaluate(self)
     }
 
-    /// Spends some of the picture's operations. A function, a method, an operator or a branch costs
-    /// one each time it is evaluated, since they all take about equally long. Only a remainder may
-    /// cost more. The line as a whole costs one, too. We count operations rather than measure
-    /// time so that the same line is refused on every machine.
+    /// Spends some of the picture's operations. Each evaluation of a function, a method, an
+    /// operator or a branch costs one operation, since all of these take about equally long. Only a
+    /// remainder may cost more. The line as a whole costs one more operation. We count operations
+    /// instead of measuring time, so that every machine refuses the same lines.
     #[inline]
     pub fn spend(&mut self, operations: u64) -> Result<(), Interruption> {
         match self.operations_left.checked_sub(operations) {

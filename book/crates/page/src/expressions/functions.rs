@@ -7,14 +7,15 @@ use glam::DVec3;
 use std::borrow::Cow;
 use std::f64::consts;
 
-/// A function with given parameter types. Overloads have separate entries.
+/// A function, method or operator with given parameter types. In the table, each overload has an
+/// entry of its own.
 pub struct Function {
-    /// The kind of the operations that call it. A method can be called by its path, too.
+    /// The kind of operation that calls it. A method can also be called by its path.
     pub kind: OperationKind,
-    /// The name that these operations have, such as `max` for the method `f64::max`.
+    /// The name in such an operation: for the method `f64::max`, it is `max`.
     pub name: &'static str,
-    /// The types of its parameters; none for a constant. The first is the type that has the method
-    /// or the field.
+    /// The types of its parameters. A constant has none. A method or a field belongs to the first
+    /// of these types.
     pub parameters: &'static [ValueType],
     /// The type of its result.
     pub result: ValueType,
@@ -23,7 +24,7 @@ pub struct Function {
 }
 
 impl Function {
-    /// The path of a function, method or constant. Nothing else has one.
+    /// Returns the path of a function, method or constant, and None for anything else.
     pub fn path(&self) -> Option<Cow<'static, str>> {
         match (self.kind, self.parameters) {
             (OperationKind::Path, _) => Some(self.name.into()),
@@ -34,8 +35,8 @@ impl Function {
         }
     }
 
-    /// Whether an operation of this kind and with this name refers to this function, provided that
-    /// its operands have the right types.
+    /// Whether an operation of this kind and with this name refers to this function, assuming that
+    /// the operands have the right types.
     pub fn is_named(&self, kind: OperationKind, name: &str) -> bool {
         match kind {
             OperationKind::Path => self.path().is_some_and(|path| path == name),
@@ -58,8 +59,8 @@ pub fn find_function(
     functions().find(|function| function.parameters == types && function.is_named(kind, name))
 }
 
-/// Returns how many operations it costs to compute the remainder of two `values`. A remainder is
-/// computed bit by bit, so it takes long if the quotient is large.
+/// Returns how many operations the remainder of two `values` costs. A remainder is computed bit by
+/// bit, so it takes long if the quotient is large.
 pub fn remainder_operations(values: &[Value]) -> u64 {
     let operations = |a: f64, b: f64| if a.abs() > 1e15 * b.abs() { 41 } else { 1 };
     let of_vectors = |a: DVec3, b: DVec3| (0..3).map(|axis| operations(a[axis], b[axis])).sum();
@@ -72,7 +73,7 @@ pub fn remainder_operations(values: &[Value]) -> u64 {
     }
 }
 
-/// Functions that have no result for some arguments: those for which the program would panic.
+/// Functions that have no result for the arguments with which the reader's program would panic.
 macro_rules! partial_functions {
     ($(
         $kind:ident $name:expr,
@@ -97,7 +98,7 @@ macro_rules! functions {
     };
 }
 
-/// Methods of a type, all with the same parameter types and result type.
+/// Methods of a type that have the same parameter types and the same result type.
 macro_rules! methods {
     ($type:ident $parameters:tt $values:tt -> $result:ident: $($name:ident)*) => {
         functions! { $(
@@ -202,7 +203,8 @@ static FUNCTIONS: &[&[Function]] = &[
     },
     math_constants!(PI TAU E FRAC_PI_2 FRAC_PI_3 FRAC_PI_4 FRAC_PI_6 FRAC_PI_8 FRAC_1_PI FRAC_2_PI
         SQRT_2 FRAC_1_SQRT_2 LN_2 LN_10),
-    // Integer operators panic on overflow, as in a development build.
+    // In a development build, integer operators panic on overflow and on division by 0, and `clamp`
+    // panics unless `min <= max`.
     partial_functions! {
         Sign "+", (a: I32, b: I32) -> I32 = a.checked_add(b);
         Sign "-", (a: I32, b: I32) -> I32 = a.checked_sub(b);
@@ -243,7 +245,7 @@ mod tests {
         assert!(!is_found(Path, "dot", &[Vector, Vector]));
         assert!(!is_found(Path, "f64::dot", &[F64, F64]));
         assert!(!is_found(Field, "length", &[Vector]));
-        // An associated function that isn't a method.
+        // `splat` is an associated function, but not a method.
         assert!(is_found(Path, "DVec3::splat", &[F64]));
         assert!(!is_found(Method, "splat", &[F64]));
     }

@@ -1,14 +1,15 @@
-//! Draws the five steps with the reader's expressions in them, as if the lines of the book's
-//! listings had been edited.
+//! Draws the five steps with the reader's expressions in them, as if the reader had edited the
+//! steps' source.
 //!
-//! A *place* is an expression in the steps that matters in the lecture; `places.txt` lists them
-//! all. The build script copies the steps' source, and makes each place first ask for the value of
-//! the reader's line (`value_of_line`). The line is parsed by `syn`. The *compiler* looks up its
-//! operators, functions and methods in a table of *functions*, with the same types as in Rust, and
-//! combines what it finds into a single closure that runs for each pixel. Whatever Rust would
-//! refuse is refused, with the range of the error and a sentence that explains it. The same
-//! happens to a line that would make the reader's program panic while drawing, or that needs more
-//! *operations* than a page has time for.
+//! A *place* is an expression in the steps that a reader may edit. `places.txt` lists all places.
+//! The build script copies the steps' source. In the copy, each place first asks for the value of
+//! the reader's line (`value_of_line`). `syn` parses the line. The *compiler* looks up the line's
+//! operators, functions and methods in a table of *functions*, which have the same types as in
+//! Rust. The compiler combines these functions into a single closure, which runs for each pixel.
+//!
+//! A line is refused if Rust would refuse it, if it would make the reader's program panic while
+//! drawing, or if it needs more *operations* than a page has time for. A refusal consists of the
+//! range of the error and a sentence that explains the error.
 
 #[allow(clippy::all, missing_docs, dead_code, unused, reason = "copied code")]
 mod steps {
@@ -34,5 +35,5 @@ pub use evaluation::Expression;
 pub use refusal::{Fault, Refusal};
 pub use value::Value;
 
-// Called by the copied steps, like `draw_pixels`.
+// The copied steps call these, and also `draw_pixels`.
 use edited_picture::{refuse_first_line_unless, value_of_line};

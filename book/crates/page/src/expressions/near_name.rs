@@ -38,9 +38,13 @@ pub fn name_and_synonyms(name: &str) -> Vec<String> {
     [vec![lowercase], others].concat()
 }
 
-/// Returns the known name that is closest to `name`, if any is close enough. A name is close if it
-/// equals `name` ignoring case, is a synonym, differs by a letter or two, or is a prefix that makes
-/// up more than half of `name`.
+/// Returns the known name that is closest to `name`, if any is close enough. A known name is close
+/// if it does one of the following:
+///
+/// - It equals `name`, ignoring case.
+/// - It is a synonym of `name`.
+/// - It differs from `name` by a letter or two.
+/// - It is a prefix of `name`, and makes up more than half of it.
 pub fn find_near_name<'a>(name: &str, known: impl Iterator<Item = &'a str>) -> Option<&'a str> {
     let wanted = name_and_synonyms(name);
     let distance = |known: &str| {
@@ -53,7 +57,7 @@ pub fn find_near_name<'a>(name: &str, known: impl Iterator<Item = &'a str>) -> O
         }
         let distance = strsim::osa_distance(&wanted[0], &lowercase);
         let max_distance = if name.len() < 6 { 1 } else { 2 };
-        // A synonym ranks ahead of a typo, and a typo ahead of a prefix.
+        // A synonym ranks ahead of a typo, and a typo ranks ahead of a prefix.
         let is_long_prefix =
             wanted[0].starts_with(&lowercase) && 2 * lowercase.len() > wanted[0].len();
         (distance <= max_distance || is_long_prefix).then_some(10 * distance)

@@ -1,5 +1,5 @@
 //! Splits an operation into its kind, its name and its operands. Operators, casts, fields, methods
-//! and calls are all operations, and the table of functions has an entry for each.
+//! and calls are all operations. The table of functions has entries for all of these.
 
 use crate::expressions::refusal::{Fault, Refusal, refuse};
 use quote::ToTokens;
@@ -17,7 +17,7 @@ pub enum OperationKind {
     Method,
     /// A field of the operand.
     Field,
-    /// An operator before an operand or between two.
+    /// An operator in front of one operand or between two operands.
     Sign,
     /// A cast with `as`.
     Cast,
@@ -28,7 +28,7 @@ pub enum OperationKind {
 }
 
 impl OperationKind {
-    /// Whether the operation is a field or method of its first operand, which is written before the
+    /// Whether the operation is a field or a method. If so, the first operand is the one before the
     /// dot.
     pub fn is_member(self) -> bool {
         matches!(self, OperationKind::Method | OperationKind::Field)
@@ -38,11 +38,11 @@ impl OperationKind {
 /// An operation in a line.
 pub struct Operation<'a> {
     pub kind: OperationKind,
-    /// The path, the name of the method or field, the sign, the type of the cast, or the index.
-    /// Arrays have no name.
+    /// What distinguishes the operation from others of its kind: the path, the name of the method
+    /// or field, the sign, the type of the cast, or the index. For an array, it is empty.
     pub name: String,
     pub operands: Vec<&'a Expr>,
-    /// The range of its name or sign in the line.
+    /// The range of the name in the line.
     pub name_range: Range<usize>,
 }
 
@@ -56,7 +56,7 @@ pub fn tokens_without_spaces(syntax: &impl ToTokens) -> String {
     syntax.to_token_stream().to_string().split_whitespace().collect()
 }
 
-/// Finds the function or operator that an expression calls, and its operands.
+/// Splits an expression that is an operation, and refuses any other expression.
 pub fn split_operation(syntax: &Expr) -> Result<Operation<'_>, Refusal> {
     let (kind, name, operands, name_range) = match syntax {
         Expr::Unary(unary) => {

@@ -12,7 +12,7 @@ use syn::Lit;
 /// A compiled part of a line.
 pub struct Part {
     pub code: Code,
-    /// The byte range of the line that the part was compiled from.
+    /// The byte range in the line from which the part was compiled.
     pub range: Range<usize>,
 }
 
@@ -21,8 +21,8 @@ pub struct Part {
 pub struct Code {
     pub computation: Computation,
     pub value_type: ValueType,
-    /// Whether the value comes only from literals such as 2.0, so that its type isn't inferred yet.
-    /// No method can be called on such a value.
+    /// Whether the value comes only from literals without a suffix, such as 2.0. Rust hasn't
+    /// inferred the type of such a value yet, so no method can be called on it.
     pub has_ambiguous_type: bool,
 }
 
@@ -36,7 +36,7 @@ impl Code {
         }
     }
 
-    /// The value, if it is the same for every pixel.
+    /// Returns the value, if it is the same for every pixel.
     pub fn constant_value(&self) -> Option<Value> {
         if let Computation::Constant(value) = self.computation { Some(value) } else { None }
     }
@@ -52,7 +52,7 @@ pub fn compile_literal(literal: &Lit) -> Result<Code, Refusal> {
         _ => return refuse(range, Fault::Literal),
     };
     let is_whole = matches!(literal, Lit::Int(_));
-    // Rust has no 0b1_f64, and reads 0x1_f64 as a whole number.
+    // Rust doesn't allow 0b1_f64, and reads 0x1_f64 as a whole number.
     let is_decimal =
         !["0b", "0o", "0x"].iter().any(|start| literal_text(literal).starts_with(start));
     let value = match (suffix, is_whole) {

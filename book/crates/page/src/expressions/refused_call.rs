@@ -39,7 +39,7 @@ impl Call<'_> {
         self.operands.first().into_iter().flat_map(|receiver| members(receiver.code.value_type))
     }
 
-    /// Finds a function that the operation could refer to, whatever the types of its operands.
+    /// Finds a function that has the operation's kind and name, ignoring the types of the operands.
     fn find_any_function(&self) -> Option<&'static Function> {
         functions().find(|function| function.is_named(self.kind, self.name))
     }
@@ -84,8 +84,8 @@ fn members(receiver: ValueType) -> impl Iterator<Item = &'static Function> {
     })
 }
 
-/// Writes a field as it appears in a line, such as `x`, or a method, such as `length()` or
-/// `dot(…)`.
+/// Writes a member as it appears in a line: `x` for a field, and `length()` or `dot(…)` for a
+/// method.
 fn write_member(Function { kind, name, parameters, .. }: &Function) -> String {
     match parameters {
         _ if *kind == OperationKind::Field => (*name).to_owned(),
@@ -100,7 +100,7 @@ fn ensure_parentheses(text: &str) -> String {
     if has_them { text.to_owned() } else { format!("({text})") }
 }
 
-/// Whether a method can be called on this expression without parentheses around it.
+/// Whether a method can be called on this expression without putting the expression in parentheses.
 fn is_atomic(text: &str) -> bool {
     matches!(
         syn::parse_str(text),
@@ -115,8 +115,8 @@ fn is_atomic(text: &str) -> bool {
     )
 }
 
-/// Whether two chains such as `sphere.centre` have the same number of names, and each pair of names
-/// is equal or nearly so.
+/// Whether two chains such as `sphere.centre` are nearly equal: both have the same number of names,
+/// and corresponding names are equal or nearly equal.
 fn is_near_chain(name: &str, known: &str) -> bool {
     let is_near = |(word, known): (&str, &str)| find_near_name(word, once(known)).is_some();
     name.matches('.').count() == known.matches('.').count()
@@ -124,7 +124,7 @@ fn is_near_chain(name: &str, known: &str) -> bool {
 }
 
 impl Compiler<'_> {
-    /// Explains why a call isn't possible, and which range of the line to mark.
+    /// Explains why a call isn't possible. The refusal contains the range of the line to mark.
     pub fn explain_refused_call(&self, call: &Call) -> Refusal {
         if call.kind.is_member() && !call.members().any(|member| member.name == call.name) {
             return self.explain_unknown_member(call);
@@ -144,17 +144,17 @@ impl Compiler<'_> {
         }
     }
 
-    /// Explains the type mismatch if the call would be valid with a different type for one operand.
-    /// Otherwise returns None.
+    /// If the call would be valid with a different type for a single operand, explains that this
+    /// operand has the wrong type. Otherwise returns None.
     fn explain_single_wrong_type(&self, call: &Call) -> Option<Refusal> {
         let types = call.types();
         let mut wanted_types = ValueType::ALL;
         if types.contains(&ValueType::Array) {
-            // An array is most likely meant to be a vector, so try that first.
+            // An array is most likely meant to be a vector, so try vectors first.
             let vector = wanted_types.iter().position(|one| *one == ValueType::Vector);
             wanted_types[..=vector.unwrap_or(0)].rotate_right(1);
         }
-        // A receiver has the right type, because the field or method was found on it.
+        // A receiver has the right type, because its type has the field or method.
         let first = usize::from(call.kind.is_member());
         for value_type in wanted_types {
             for (index, operand) in call.operands.iter().enumerate().skip(first).rev() {
@@ -180,7 +180,7 @@ impl Compiler<'_> {
         self.text[call.name_range.clone()].to_owned()
     }
 
-    /// Explains why a path can't be called, or has no value.
+    /// Explains why a path can't be called, or why it has no value.
     fn explain_refused_path(&self, call: &Call) -> Refusal {
         match call.find_any_function() {
             Some(Function { parameters: [], .. }) => {
@@ -233,14 +233,14 @@ impl Compiler<'_> {
         }
     }
 
-    /// Explains why the operands of a call don't fit its function, which has these parameters: there
-    /// are too few or too many, or one has the wrong type.
+    /// Explains why the operands of a call don't fit a function with these parameters. There are
+    /// too few or too many operands, or one of them has the wrong type.
     fn explain_wrong_operands(&self, call: &Call, parameters: &[ValueType]) -> Refusal {
         let mut pairs = call.operands.iter().zip(parameters);
         let mismatch = pairs.find(|(operand, wanted)| operand.code.value_type != **wanted);
         let fault = match mismatch {
             _ if parameters.len() != call.operands.len() => {
-                // A receiver isn't counted.
+                // The counts don't include a receiver.
                 let first = usize::from(call.kind.is_member());
                 Fault::Count {
                     name: self.name_in_line(call),
@@ -254,8 +254,8 @@ impl Compiler<'_> {
         Refusal { range: call.name_range.clone(), fault }
     }
 
-    /// Says that a value has no such field or method, and offers the one that is nearly right, or
-    /// lists those that it has.
+    /// Explains that the receiver has no such field or method. The explanation offers a similar
+    /// name, or says which other type has this member, or lists the receiver's members.
     fn explain_unknown_member(&self, call: &Call) -> Refusal {
         let Call { syntax, kind, name: member, operands, .. } = *call;
         let name_range = call.name_range.clone();
@@ -283,7 +283,7 @@ impl Compiler<'_> {
         let near = near.and_then(|near| members(value_type).find(|known| known.name == near));
         if let Some(near) = near {
             let (end, near) = match (kind, near.kind) {
-                // The line has the parentheses already.
+                // The line already has parentheses after the name.
                 (OperationKind::Method, OperationKind::Method) => {
                     (name_range.end, near.name.to_owned())
                 }
@@ -307,8 +307,9 @@ impl Compiler<'_> {
         Refusal { range: name_range, fault }
     }
 
-    /// Says that there is no such name, and offers the one that is nearly right, or lists those
-    /// that there are. If the line calls the name as a function, the arguments are in `operands`.
+    /// Explains that there is no such name. The explanation offers a method or a similar name, or
+    /// lists the names that exist. If the line calls the name as a function, the operands are the
+    /// arguments.
     fn explain_unknown_name(&self, call: &Call) -> Refusal {
         let Call { syntax, name, operands, .. } = *call;
         if let Some(cure) = self.write_as_method(name, operands) {
@@ -335,8 +336,8 @@ impl Compiler<'_> {
         Refusal { range: call.name_range.clone(), fault }
     }
 
-    /// Rewrites a function call such as `sqrt(d)` as a method call, `d.sqrt()`. Returns None if the
-    /// first argument has no method with this name.
+    /// Rewrites a function call as a method call: `sqrt(d)` as `d.sqrt()`, for example. Returns
+    /// None if the first argument has no method with this name.
     fn write_as_method(&self, name: &str, operands: &[Part]) -> Option<String> {
         let last = name.rsplit("::").next().unwrap_or_default();
         let (first, others) = operands.split_first()?;
@@ -354,7 +355,8 @@ impl Compiler<'_> {
         let method = method.or(methods.first())?;
         let text = &self.text[first.range.clone()];
         Some(if first.code.has_ambiguous_type {
-            // A literal such as 2.0 has no methods, because Rust doesn't know its type yet.
+            // No method can be called on a literal such as 2.0, because Rust doesn't know its type
+            // yet.
             let comma = if others.is_empty() { "" } else { ", " };
             format!("{value_type}::{method}({text}{comma}{others})")
         } else if is_atomic(text) {
@@ -364,7 +366,7 @@ impl Compiler<'_> {
         })
     }
 
-    /// Finds the name of a value, or the path of a function, that is most like `name`.
+    /// Finds the variable or function path with the spelling closest to `name`.
     fn find_near_name_or_path(&self, name: &str) -> Option<String> {
         let variables = || self.names.iter().map(|(known, _)| &**known);
         let converted = format!("f64::from({name})");
@@ -378,7 +380,7 @@ impl Compiler<'_> {
         let last = |path: &str| path.rsplit("::").next().unwrap_or_default().to_ascii_lowercase();
         let find_last = |wanted: &str| {
             let mut paths = paths.iter().filter(|path| last(path) == wanted);
-            // For `DVec3::normalise`, a function of DVec3 is preferred to one of f64.
+            // Prefer functions of the type in `name`: those of DVec3 for `DVec3::normalise`.
             let owner = name.split("::").next().unwrap_or_default();
             let own = paths.clone().find(|path| path.starts_with(owner));
             own.or_else(|| paths.next()).map(|path| path.clone().into_owned())
@@ -391,7 +393,7 @@ impl Compiler<'_> {
         })
     }
 
-    /// Returns one of the place's names as it is written in places.txt, with its spaces.
+    /// Returns one of the place's names as it is written in places.txt, including the spaces.
     fn name_as_in_places(&self, known: &str) -> String {
         let variables = self.place.variables.iter().map(|(name, _)| *name);
         let mut names =
@@ -399,8 +401,8 @@ impl Compiler<'_> {
         names.next().unwrap_or(known).to_owned()
     }
 
-    /// Refuses a chain such as `hit.object.name` that begins like one of the place's names, but
-    /// doesn't contain any of them.
+    /// Refuses a chain such as `hit.object.name` if it begins like one of the place's names, but
+    /// contains none of these names.
     pub fn refuse_unknown_chain(&self, syntax: &Expr) -> Option<Refusal> {
         let mut links = vec![syntax];
         while let Some(inner) = links.last().and_then(|link| match link {
@@ -446,9 +448,10 @@ impl Compiler<'_> {
         Some(Refusal { range, fault })
     }
 
-    /// Refuses a call such as `direction_colour(ray)`: the function is unknown, and there are
-    /// either no arguments or one that isn't a value by itself, such as `ray`. Without this, the
-    /// reader would be told about the argument, although it's the function that can't be used here.
+    /// Refuses a call such as `direction_colour(ray)`, in which the function is unknown and an
+    /// argument isn't a value by itself. Also refuses a call of an unknown function without
+    /// arguments. Without this check, the reader would be told about the argument, although it's
+    /// the function that can't be used here.
     pub fn refuse_unknown_function(&self, syntax: &Expr) -> Option<Refusal> {
         let Expr::Call(call) = syntax else { return None };
         let name = tokens_without_spaces(&call.func);

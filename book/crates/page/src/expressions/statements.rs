@@ -1,4 +1,4 @@
-//! Compiles `if` and `let`, which aren't calls of a function with their operands.
+//! Compiles `if` and `let`, which can't be compiled as calls of functions.
 
 use crate::expressions::compiler::Compiler;
 use crate::expressions::evaluation::Computation;
@@ -19,8 +19,8 @@ pub fn is_compound_assignment(operator: &BinOp) -> bool {
     sign.ends_with('=') && !["==", "!=", "<=", ">="].contains(&&*sign)
 }
 
-/// Finds the expression whose value is that of a block, or of the first branch of an `if`. Any other
-/// expression is returned as it is.
+/// Finds the expression whose value is the value of a block or of the first branch of an `if`.
+/// Returns any other expression as it is.
 fn tail_expression(syntax: &Expr) -> &Expr {
     let statements = match syntax {
         Expr::Block(block) => &block.block.stmts,
@@ -69,8 +69,8 @@ impl Compiler<'_> {
         Ok(Code { computation, value_type: then.code.value_type, has_ambiguous_type })
     }
 
-    /// Compiles the remaining statements of the block at `range`. Their value is that of the last
-    /// one.
+    /// Compiles the remaining statements of the block at `range`. The value of the last statement
+    /// is the value of the block.
     pub fn compile_statements(
         &mut self,
         statements: &[Stmt],
@@ -130,7 +130,7 @@ impl Compiler<'_> {
         Ok(Part { code: Code { computation, ..code }, range })
     }
 
-    /// Refuses a value whose type isn't the one that `let` names.
+    /// Refuses the value of a `let` if the `let` names a different type.
     fn check_type(&self, ident: &Ident, type_name: &Type, value: &Part) -> Result<(), Refusal> {
         let name = type_name.to_token_stream().to_string().replace(' ', "").replace(';', "; ");
         let Some(wanted) = ValueType::from_name(&name) else {

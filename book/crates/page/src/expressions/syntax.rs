@@ -7,22 +7,22 @@ use std::ops::Range;
 use syn::parse::Parser;
 use syn::{Block, Stmt};
 
-/// What `syn` says about `a < b < c`. Its errors have no kinds to match, and telling this one from
-/// `a < < c` by the text would take a parser of our own. If `syn` ever words it differently, the
-/// test `chain_of_comparisons_is_recognised` fails.
+/// The error message of `syn` for `a < b < c`. We compare messages because the errors of `syn` have
+/// no kinds, and because we would need our own parser to distinguish `a < b < c` from `a < < c`. If
+/// `syn` ever changes the message, the test `chain_of_comparisons_is_recognised` fails.
 const COMPARISON_CHAIN: &str = "comparison operators cannot be chained";
 
-/// The maximum length of a line, in bytes. However deeply such a line is nested, it can't overflow
-/// a page's stack.
+/// The maximum length of a line, in bytes. A line of this length can't overflow a page's stack,
+/// however deeply it is nested.
 const MAX_LENGTH: usize = 250;
 
-/// Parses a line: an expression or, if the place is at the end of a block, statements followed by a
-/// value.
+/// Parses a line. It has to be an expression. A line at the end of a block may also consist of
+/// statements followed by a value.
 pub fn parse_syntax(place: &Place, text: &str) -> Result<Vec<Stmt>, Refusal> {
     let has_note = |note| place.notes.contains(&note);
     let ends_block = has_note(PlaceNote::EndsBlock);
     refuse_unreadable_text(text, ends_block || has_note(PlaceNote::EndsRow))?;
-    // Frees the lines parsed so far, which proc_macro2 would otherwise keep in memory.
+    // Free the lines parsed so far, because proc_macro2 would keep them in memory.
     proc_macro2::extra::invalidate_current_thread_spans();
     let error = match syn::parse_str(text) {
         Ok(syntax) => return Ok(vec![Stmt::Expr(syntax, None)]),
@@ -38,8 +38,8 @@ pub fn parse_syntax(place: &Place, text: &str) -> Result<Vec<Stmt>, Refusal> {
     Err(refusal)
 }
 
-/// Finds a comment that begins with // in the last row of the text. Such a comment would hide
-/// whatever follows the text in the listing.
+/// Returns where a `//` comment begins in the last row of the text, if there is one. In the
+/// listing, such a comment would hide whatever follows the text.
 fn find_last_comment(text: &str) -> Option<usize> {
     let (mut depth, mut at) = (0, 0);
     while at < text.len() {
@@ -60,8 +60,8 @@ fn find_last_comment(text: &str) -> Option<usize> {
     None
 }
 
-/// Refuses characters and signs that no line may contain, and lines that are too long. A `//`
-/// comment in the last row is refused, too, unless `allows_line_comment` is true.
+/// Refuses a text that is too long, or that contains a character or a sign that isn't allowed in
+/// any line. Unless `allows_line_comment` is true, also refuses a `//` comment in the last row.
 fn refuse_unreadable_text(text: &str, allows_line_comment: bool) -> Result<(), Refusal> {
     if text.len() > MAX_LENGTH {
         return refuse(0..text.len(), Fault::LongText);

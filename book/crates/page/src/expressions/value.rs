@@ -3,7 +3,7 @@
 use course::ValueType;
 use glam::DVec3;
 
-/// The value of a line, or of a part of one.
+/// The value of a line or of a part of a line.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[allow(missing_docs, reason = "each is named after its type")]
 pub enum Value {
@@ -38,7 +38,7 @@ pub fn describe_type(value_type: ValueType) -> &'static str {
     }
 }
 
-/// Describes a list of types, such as `two vectors and one number`.
+/// Describes a list of types in words, for example as `two vectors and one number`.
 pub fn describe_types(types: &[ValueType]) -> String {
     let groups = types.chunk_by(|a, b| a == b).map(|group| match (group.len(), group[0]) {
         (1, ValueType::Bool) => describe_type(ValueType::Bool).to_owned(),
@@ -53,7 +53,7 @@ pub fn describe_types(types: &[ValueType]) -> String {
     if groups.is_empty() { "no value".to_owned() } else { groups.join(" and ") }
 }
 
-/// Returns the verb and the number word for a sentence that counts something, such as `are two`.
+/// Returns a verb and a number word, such as `are two`, for a sentence that counts something.
 pub fn verb_and_count(count: usize) -> String {
     format!("{} {}", if count < 2 { "is" } else { "are" }, count_word(count))
 }
@@ -69,7 +69,7 @@ pub fn capitalise(words: &str) -> String {
     first.to_ascii_uppercase() + rest
 }
 
-/// The error if a value's type isn't the one expected where it is used.
+/// The error for a value that doesn't have the expected type.
 pub struct TypeMismatch;
 
 macro_rules! convert {

@@ -1,6 +1,5 @@
-//! Writes lines from lines.txt into copies of their steps: the lines that are accepted, and those
-//! that are accepted once their cures have been applied. The copies have to compile, and to draw
-//! the same pictures as a page.
+//! Applies the cures to the lines in lines.txt, and writes each line that is then accepted into a
+//! copy of its step. The copies have to compile, and have to draw the same pictures as a page.
 
 use crate::lines::cure_line;
 use course::{
@@ -13,14 +12,15 @@ use std::fs;
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::Path;
 
-/// The start of the program's manifest. The dependencies follow.
+/// The manifest of a program that consists of these copies, without the dependencies.
 const MANIFEST: &str = r#"
 workspace = {}
 package = { name = "lines", edition = "2024" }
 profile.dev = { debug = false, incremental = false }
 "#;
 
-/// The main file of the program, up to its modules. It prints a hash for each line.
+/// The beginning of this program's main file. What follows calls `print_hash` with the picture of
+/// each line.
 const MAIN: &str = "#![allow(warnings)]
 use std::hash::{DefaultHasher, Hash, Hasher};
 
@@ -81,7 +81,7 @@ fn accepted_lines_draw_the_same_picture_in_their_steps() {
         let module = format!("m{index}");
         write_step(&folder.join("src"), place, text, &module);
         modules += &format!("mod {module};\n");
-        // Step 1 defines the camera itself.
+        // A copy of step 1 defines its own `Camera`. The other steps use the one in `step01_rays`.
         let owner = if place.step() == Step::Rays { &module } else { "step01_rays" };
         let camera = format!("{owner}::Camera::new({COLUMNS}, 36, 60_f64.to_radians())");
         calls += &format!("print_hash({module}::picture(&{camera}, 1));\n");
@@ -89,10 +89,11 @@ fn accepted_lines_draw_the_same_picture_in_their_steps() {
     let main = format!("{MAIN}\n{modules}\nfn main() {{\n{calls}}}\n");
     fs::write(folder.join("src/main.rs"), main).expect("a file");
     fs::write(folder.join("Cargo.toml"), manifest).expect("a file");
-    fs::copy(workspace().join("Cargo.lock"), folder.join("Cargo.lock")).expect("a copy");
+    fs::copy(workspace().join("Cargo.lock"), folder.join("Cargo.lock"))
+        .expect("the lock file can be copied");
     let mut cargo = cargo_command();
     cargo.args(["run", "--quiet", "--offline", "--message-format=short", "--target-dir=target"]);
-    let output = cargo.current_dir(&folder).output().expect("cargo");
+    let output = cargo.current_dir(&folder).output().expect("cargo runs");
     let errors = String::from_utf8_lossy(&output.stderr);
     assert!(output.status.success(), "{errors}\nin {}", folder.display());
     let hashes = String::from_utf8_lossy(&output.stdout);

@@ -1,5 +1,6 @@
-//! Compares a thousand random lines with rustc. A line that rustc refuses, or that panics in a
-//! development build, must be refused here, and every value must be equal to the last bit.
+//! Compares how we and rustc evaluate a thousand random lines. We must refuse any line that rustc
+//! refuses, or that panics in a development build. Every value that we compute must equal rustc's
+//! to the last bit.
 
 use crate::lines::cure_line;
 use course::{Place, ValueType, cargo_command, target_folder, workspace};
@@ -15,15 +16,20 @@ const KIND: &str = "fn(f64, f64, DVec3, DVec3, i32, bool) -> String";
 const MANIFEST: &str = "[package]\nname = \"judge\"\nedition = \"2024\"\n[workspace]\n\
     [dependencies]\nglam = { version = \"0.34\", default-features = false, features = [\"f64\", \"std\"] }\n";
 
-/// The program, up to its functions. For each function, it prints the value, or "stop" if the
-/// function panics.
+/// The program, up to its functions. For each function, the program prints the value, or "stop" if
+/// the function panics.
 const PROGRAM: &str = "#![allow(warnings)] use glam::DVec3; use std::panic::*; fn main() { \
     set_hook(Box::new(|_| {})); for f in ALL { println!(\"{}\", catch_unwind(|| f(0.75, -3.5, \
     DVec3::new(0.5, -0.25, 2.0), DVec3::Z, -3, true)).unwrap_or(\"stop\".to_owned())) } }\n";
 
-/// Writes a random line of the type whose name begins with `type_initial`. In a pattern from
-/// patterns.txt, $ and the initial of a type stand for an expression of that type, ; stands for a
-/// comma, and # for a semicolon. A list whose name ends with ? contains typical slips, most of which
+/// Writes a random line of the type whose name begins with `type_initial`, by filling in a pattern
+/// from patterns.txt. In a pattern:
+///
+/// - `$` and the initial of a type stand for an expression of that type.
+/// - `;` stands for a comma.
+/// - `#` stands for a semicolon.
+///
+/// If the name of a list of patterns ends with `?`, the list contains typical slips. Most of these
 /// are refused with a cure.
 fn write_random_line(rng: &mut Rng, type_initial: &str, depth: usize) -> String {
     let is_wrong = rng.u8(..) < 5;
@@ -51,7 +57,8 @@ fn write_random_line(rng: &mut Rng, type_initial: &str, depth: usize) -> String 
 fn evaluate_with_rustc(lines: &[(&str, String)]) -> Vec<Option<String>> {
     let folder = target_folder().join("judge");
     fs::create_dir_all(folder.join("src")).expect("a folder");
-    fs::copy(workspace().join("Cargo.lock"), folder.join("Cargo.lock")).expect("a copy");
+    fs::copy(workspace().join("Cargo.lock"), folder.join("Cargo.lock"))
+        .expect("the lock file can be copied");
     fs::write(folder.join("Cargo.toml"), MANIFEST).expect("a file");
     let mut refused_lines = BTreeSet::new();
     loop {
@@ -70,7 +77,7 @@ fn evaluate_with_rustc(lines: &[(&str, String)]) -> Vec<Option<String>> {
         fs::write(folder.join("src/main.rs"), source).expect("a file");
         let mut cargo = cargo_command();
         cargo.args(["run", "-q", "--offline", "--message-format=short", "--target-dir=target"]);
-        let output = cargo.current_dir(&folder).output().expect("cargo");
+        let output = cargo.current_dir(&folder).output().expect("cargo runs");
         let read = |bytes| String::from_utf8(bytes).expect("a text");
         let [text, errors] = [output.stdout, output.stderr].map(read);
         if output.status.success() {
@@ -127,7 +134,8 @@ fn random_lines_have_the_values_that_rustc_gives_them() {
             let no_result = Refusal { range: 0..text.len(), fault: Fault::NoResult };
             line.evaluate(&values).ok_or(no_result)
         });
-        // The program prints bare values, without the name of our variant and the parentheses.
+        // The program prints 0.75 for our `F64(0.75)`, so remove the variant's name and the
+        // parentheses.
         let bare_value = value.map(|value| {
             let written = format!("{value:?}");
             let (_, bare) = written.split_once('(').expect("a variant");
@@ -147,6 +155,6 @@ fn random_lines_have_the_values_that_rustc_gives_them() {
         only_here.lines().count()
     );
     assert_eq!(wrong, "");
-    assert!(equal_cures > 50, "{equal_cures} cured lines are equal");
+    assert!(equal_cures > 50, "only {equal_cures} cured lines have the right value");
     assert!(equal > 400 && only_here.lines().count() < 80, "{equal} are equal");
 }

@@ -1,5 +1,5 @@
-//! What readers are told about lines that are refused, either when they are compiled or while they
-//! draw. The part that is wrong is shown as ⟦wrong⟧.
+//! What readers are told about lines that are refused because they don't compile or can't be drawn.
+//! In the snapshot, the wrong part of a line is in ⟦ and ⟧.
 
 use course::{Place, all_listed_places};
 use page::expressions::{Fault, Refusal, draw_step_of_first_line, parse_expression};
@@ -36,7 +36,7 @@ pub fn cure_line(place: &Place, text: &str) -> String {
         let Err(Refusal { range, fault }) = parse_expression(place, &cured) else { break };
         if let Some(Range { start, end }) = last {
             let is_in_cure = start <= range.start && range.end <= end;
-            // The code around a cure may require a different type.
+            // A wrong type isn't the cure's fault: the code around it may require a different type.
             let is_of_type = matches!(fault, Fault::WholeNumber { .. } | Fault::Mismatch { .. });
             assert!(!is_in_cure || is_of_type, "{text}, cured: {cured}: {fault}");
         }
@@ -61,7 +61,7 @@ fn cures_are_accepted() {
     insta::assert_snapshot!(cured_lines);
 }
 
-/// Draws a small picture.
+/// Draws a small picture with this text at a place.
 fn draw(name: &str, text: &str) -> Result<(), Refusal> {
     draw_within(name, text, 30_000)
 }
@@ -109,7 +109,8 @@ fn text_longer_than_250_bytes_is_refused() {
     assert!(draw("a", &(longest + " ")).is_err());
 }
 
-/// Returns the text of the reply to edited lines, each given with the name of its place.
+/// Returns the text of the reply to these edited lines. Each is given as the name of its place and
+/// its text.
 fn reply_text(lines: &[(&str, &str)]) -> String {
     let lines = lines
         .iter()

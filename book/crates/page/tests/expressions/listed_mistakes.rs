@@ -9,8 +9,8 @@ use course::{
 use page::expressions::{draw_step_of_first_line, parse_expression};
 use std::{fs, iter::once};
 
-/// Draws the book's code at every place, and a tenth of the listed mistakes that change one place
-/// and nothing else. With THOROUGH=1, it draws all of these.
+/// Draws the book's code at every place, and every tenth of the listed mistakes that change only
+/// that place. With THOROUGH=1, draws all of these mistakes.
 #[test]
 fn places_and_listed_mistakes_are_drawn_by_an_edited_line() {
     let step = if is_thorough() { 1 } else { 10 };
@@ -37,11 +37,11 @@ fn places_and_listed_mistakes_are_drawn_by_an_edited_line() {
         }
     }
     let refused_lines = refusals.join("\n");
-    assert!(10 * refusals.len() < count, "of {count}, these are refused:\n{refused_lines}");
+    assert!(10 * refusals.len() < count, "too many of {count} lines are refused:\n{refused_lines}");
 }
 
-/// The known texts for `place`, each with the hash of the picture that it produces: the book's own
-/// code, and the code of every mistake that changes only this place.
+/// Returns the known texts for `place`, each with the hash of the picture that it draws. They are
+/// the book's code, and the code of every mistake that changes only this place.
 fn known_codes_with_hashes(place: &Place) -> Vec<(String, u64)> {
     let path = format!("steps/{}", place.file);
     let text = fs::read_to_string(workspace().join(&path)).expect("a file");
