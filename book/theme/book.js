@@ -3,7 +3,7 @@
 // What every page needs: the theme, the contents, the listings, the problems on paper, and the
 // loading of the other scripts.
 
-// The only name that the scripts share. Each script adds its part to it, and
+// The only name that the scripts share. Each script adds its part to this object, and
 // tests/browser/theme.d.ts describes all parts.
 /** @type {Book} */
 const book = /** @type {any} */ ({ root: document.documentElement });
@@ -11,9 +11,9 @@ const book = /** @type {any} */ ({ root: document.documentElement });
     const { root } = book;
     root.classList.add("js");
 
-    // Under Trusted Types, a page only accepts HTML that these scripts write, and only loads
-    // scripts from addresses that they name. If a server allows no policy, each feature that needs
-    // one reports it.
+    // Under Trusted Types, this policy makes the page accept only HTML that these scripts write,
+    // and load scripts only from the addresses in `ownAddresses`. If a server forbids the policy,
+    // each feature that needs the policy reports an error on the page.
     const ownAddresses = new Set();
     let isOwnHTML = false;
     try {
@@ -125,8 +125,9 @@ const book = /** @type {any} */ ({ root: document.documentElement });
     // Once a part of the page has come near the view, it stays laid out.
     book.whenNear(document.querySelectorAll("main > *"), part => { part.style.contentVisibility = "visible"; });
 
-    // The theme. A click goes from `auto`, which follows the system, to the theme that the system
-    // doesn't use, so that something changes, then to the other theme, and then back.
+    // The theme. At `auto`, it follows the system. The first click then chooses the theme that the
+    // system doesn't use, so that something changes. The second click chooses the other theme, and
+    // the third returns to `auto`.
     {
         const others = matchMedia("(prefers-color-scheme: dark)").matches ? ["light", "dark"] : ["dark", "light"];
         const themes = ["auto", ...others];
@@ -150,9 +151,9 @@ const book = /** @type {any} */ ({ root: document.documentElement });
     // being read.
     {
         const contents = document.getElementById("contents");
-        // The section being read is the last whose heading is in the upper half of the window or
-        // above it. The observer's top margin is larger than any page, so every heading above the
-        // window counts, too.
+        // The section being read is the last one whose heading is above the middle of the window.
+        // The observer's top margin is larger than any page, so that headings above the window
+        // count, too.
         /** @param {Map<Element, HTMLAnchorElement>} sections each heading with its link */
         const markSection = sections => {
             /** @type {Set<Element>} */
@@ -174,10 +175,10 @@ const book = /** @type {any} */ ({ root: document.documentElement });
             if (/** @type {Element} */ (event.target).closest("a")) contents.hidePopover();
         });
         const links = [...contents.querySelectorAll("a")];
-        // Some servers leave out the extension of a file's name.
+        // Some servers leave out `.html` in the addresses of pages.
         /** @param {{ pathname: string }} url */
         const name = url => url.pathname.split("/").pop().replace(/\.html$/, "");
-        // A step gets a tick once the reader's picture of it has been right.
+        // A step gets a tick once the reader's picture of that step has been right.
         book.markRight = () => {
             const right = book.recall("right");
             for (const link of links) {
@@ -204,7 +205,8 @@ const book = /** @type {any} */ ({ root: document.documentElement });
             contents.addEventListener("toggle", () => {
                 (list.querySelector("[aria-current]") ?? here).scrollIntoView({ block: "center" });
             });
-            // Measure in the next frame, since the page is laid out for it anyway.
+            // Measure in the next frame, because the browser lays out the page for that frame
+            // anyway.
             requestAnimationFrame(() => {
                 if (contents.scrollHeight > contents.clientHeight) here.scrollIntoView({ block: "center" });
             });
@@ -229,7 +231,7 @@ const book = /** @type {any} */ ({ root: document.documentElement });
         }
     });
 
-    // Says that one of the page's scripts is missing, at most once per page.
+    // Says on the page that a script is missing. Only the first missing script is reported.
     /** @param {string} file */
     function sayMissing(file) {
         if (document.querySelector(".missing")) return;
@@ -238,14 +240,15 @@ const book = /** @type {any} */ ({ root: document.documentElement });
         document.querySelector("main").prepend(book.make("p", { class: "missing refused", role: "status" }, words));
     }
 
-    // Code is coloured when it comes near the view, and each listing has a button to copy it.
+    // Code is coloured when it comes near the view, and each listing has a button that copies the
+    // listing.
     const isWhole = document.body.matches(".whole");
     book.colourCode = code => {
-        try { book.writeHTML(() => window.hljs?.highlightBlock(code)); } catch { /* It stays without colours. */ }
+        try { book.writeHTML(() => window.hljs?.highlightBlock(code)); } catch { /* The code stays without colours. */ }
     };
     book.colour = code => void book.load("highlight.js").then(isLoaded => isLoaded && setTimeout(() => {
-        // Leave a listing alone while it is being edited. If one of its lines has the focus, give
-        // the focus back to it afterwards.
+        // Leave a listing alone while it is being edited. Colouring replaces its lines. If one of
+        // them has the focus, move the focus to its replacement.
         if (code.querySelector("[data-book]")) return;
         const name = code.querySelector(":focus")?.dataset.line;
         book.colourCode(code);
@@ -261,8 +264,8 @@ const book = /** @type {any} */ ({ root: document.documentElement });
             const copy = /** @type {Element} */ (code.cloneNode(true));
             const edited = copy.querySelectorAll("[data-book]");
             for (const line of edited) line.textContent = line.dataset.book;
-            // Add the blank lines that follow in the file, so that its parts can be pasted one
-            // below the other.
+            // A file may be shown in several listings. Add the blank lines that follow this listing
+            // in the file, so that the listings can be pasted one below the other.
             const lines = Number(caption.parentElement.style.getPropertyValue("--lines"));
             const ends = lines + 1 - copy.textContent.split("\n").length;
             const text = copy.textContent + "\n".repeat(Math.max(0, ends));
@@ -270,7 +273,7 @@ const book = /** @type {any} */ ({ root: document.documentElement });
         });
     }
 
-    // The commands of a console are copied without the prompt and without what they print.
+    // The commands of a console are copied without the prompt and without their output.
     for (const code of document.querySelectorAll(".console code")) {
         const button = book.make("button", { type: "button", class: "copy", "aria-label": "Copy the command" }, "Copy");
         code.closest("figure").append(button);
@@ -287,7 +290,7 @@ const book = /** @type {any} */ ({ root: document.documentElement });
         const input = book.make("input", { required: "", placeholder: "your number", autocomplete: "off", "aria-label": `Your number for problem ${number}` });
         const verdict = book.make("output", {});
         const form = book.make("form", {}, input, book.make("button", {}, "Check"), verdict);
-        // A comma may be a decimal point or separate thousands, so try both.
+        // A comma may be a decimal point or a thousands separator, so try both.
         /** @param {string} text */
         const judge = text => {
             const errors = [text, text.replace(/,(?=\d{3})/g, "")].map(one => book.readNumber(one) - answer).filter(Number.isFinite);
@@ -316,8 +319,8 @@ const book = /** @type {any} */ ({ root: document.documentElement });
     // Make parts that may scroll sideways focusable, so that the keyboard can scroll them.
     document.querySelectorAll("main :is(pre, .table-wrapper)").forEach(part => { part.tabIndex = 0; });
 
-    // Not all browsers take a figure's accessible name from its caption. A listing is named after
-    // its file.
+    // Not all browsers take a figure's accessible name from its caption, so say where the name is.
+    // The name of a listing is the path of its file.
     document.querySelectorAll("figure:not([aria-label]) > figcaption").forEach((caption, k) => {
         const label = caption.querySelector(".path") ?? caption;
         label.id ||= `caption-${k}`;
@@ -327,8 +330,8 @@ const book = /** @type {any} */ ({ root: document.documentElement });
     // Tell translation programs to leave code, formulas and labels alone.
     document.querySelectorAll("code, math, svg, .symbol, .path").forEach(part => part.setAttribute("translate", "no"));
 
-    // The scripts that only some pages need. Each has a selector for the elements that need it.
-    // They are run in this order.
+    // The scripts that only some pages need. The selector of a script matches the elements that
+    // need the script. The scripts run in this order.
     const SCRIPTS = {
         wasm: "[data-live], .woken, [data-check], [data-places]", handle: "figure:is([data-live], .woken)",
         own_scene: "figure:is([data-live=own_scene], [data-preview=own_scene].woken)",
@@ -344,15 +347,15 @@ const book = /** @type {any} */ ({ root: document.documentElement });
     const loadOrSay = file => book.load(file).then(isLoaded => isLoaded || sayMissing(file));
 
     // A page can be read without colours, interactive parts and search, so these are loaded after
-    // it is shown.
+    // the page is shown.
     requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(() => {
         book.whenNear(document.querySelectorAll("pre > code:is(.language-rust, .language-toml)"), book.colour);
         loadScripts();
         loadOrSay("theme/search.js");
     })));
 
-    // A preview loads what it needs only when a reader first points at it, presses it or focuses
-    // it. The last press is kept until the preview is ready.
+    // A preview loads its scripts and its module only when a reader first points at the preview,
+    // presses it or focuses it. The last press is kept until the preview is ready.
     book.presses = new Map();
     for (const root of isWhole ? [] : document.querySelectorAll("figure[data-preview]")) {
         root.tabIndex = 0;

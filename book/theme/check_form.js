@@ -1,10 +1,10 @@
 "use strict";
 
-// The forms that say whether a picture is right. `check` looks at the file in the browser, and the
-// file isn't sent anywhere.
+// The forms that say whether a picture is right. The module `check` examines the file inside the
+// browser. The file isn't sent anywhere.
 {
-    // The module runs in a worker, so that the page stays usable meanwhile. Choosing a new file, or
-    // Reset, terminates the worker.
+    // The module runs in a worker, so that the page stays usable meanwhile. If the reader chooses a
+    // new file or presses Reset, the worker is terminated.
     const source = `const book = { ask: ${book.ask}, startModule: ${book.startModule}, Refusal: ${book.Refusal} };
         onmessage = async ({ data: [module, file, request] }) => {
             const reply = book.ask(await book.startModule(module), request, new Uint8Array(file));
@@ -14,17 +14,18 @@
     const address = URL.createObjectURL(new Blob([source], { type: "text/javascript" }));
     book.trustAddress(address);
 
-    // The value of `data-check` in a form that accepts any picture. There, the name of the reader's
-    // file says which picture it should be.
+    // The value of `data-check` in a form that accepts any picture. For such a form, `check` finds
+    // out which picture the file should be.
     const ANY_PICTURE = "*";
 
     const LABELS = ["Yours", "Ours", "The difference: orange where yours is brighter, blue where it's darker"];
 
-    // Makes elements for the lines of a reply and for its pictures, which are placed side by side.
+    // Makes elements for the lines of a reply and for its three pictures. The reply's pixels
+    // contain these pictures side by side.
     /** @param {CheckReply} reply */
     function makeReport({ lines: [headline, ...details], size, pixels }) {
-        // In a listed mistake, the right lines start with a minus, and the lines that were written
-        // instead with a plus.
+        // In a listed mistake, the right lines start with a minus. The wrong lines that were
+        // written instead start with a plus.
         const parts = details.map((line, k) => {
             const text = k + 1 < details.length ? `${line}\n` : line;
             if (line.startsWith("  - ")) return book.make("del", {}, text);
@@ -41,8 +42,8 @@
         return [report, book.make("span", { class: "panels" }, ...panels)];
     }
 
-    // Makes a form check the file that is chosen in it. Returns a function that checks dropped
-    // files.
+    // Sets up a form so that it checks any file chosen in it. Returns a function that checks
+    // dropped files.
     /** @param {HTMLFormElement} form @returns {(files: FileList) => void} */
     function activate(form) {
         const input = form.querySelector("input"), reset = form.querySelector("button"), output = form.querySelector("output");
@@ -86,13 +87,14 @@
             /** @type {ModuleRequest} */
             const request = scene ? { request: "check-scene", fileName: file.name, person: scene }
                 : { request: "check", fileName: file.name, picture: expected };
-            // `check` refuses larger files, so the rest of the file isn't needed.
+            // `check` refuses files of more than 2 ** 26 bytes, so the rest of such a file isn't
+            // needed.
             Promise.all([book.modules.compile("check"), file.slice(0, 2 ** 26 + 1).arrayBuffer()])
                 .then(parts => asked.postMessage([...parts, request]), fail);
         };
         form.addEventListener("change", () => { if (input.files.length) checkFile(input.files[0]); });
-        // Clear the field, so that choosing the same file again, after it has changed, also fires
-        // an event.
+        // Clear the field. Otherwise, choosing the same file again after it has changed wouldn't
+        // fire an event.
         input.addEventListener("click", () => { input.value = ""; });
         form.addEventListener("reset", () => show(""));
         form.hidden = false;
@@ -106,15 +108,16 @@
     const forms = document.querySelectorAll("form[data-check]");
     const droppers = new Map([...forms].map(form => [form, activate(form)]));
 
-    // Returns the vertical distance from a point to a form: 0 if the point is beside the form.
+    // Returns how far the height `y` is above or below a form. The distance is 0 between the form's
+    // top and bottom.
     /** @param {HTMLFormElement} form @param {number} y */
     function findDistance(form, y) {
         const { top, bottom } = form.getBoundingClientRect();
         return Math.max(top - y, y - bottom, 0);
     }
 
-    // A file that is dropped beside a form goes to the nearest one. Otherwise the browser would
-    // open it in place of the page.
+    // A file that is dropped anywhere on the page goes to the nearest form. Otherwise the browser
+    // would open the file in place of the page.
     addEventListener("dragover", event => event.preventDefault());
     addEventListener("drop", event => {
         event.preventDefault();

@@ -1,16 +1,19 @@
 "use strict";
 
-// Interactive figures. Gestures become requests to the module, which contains the code of the five
-// crates, and its replies are shown on the page. Nothing about rays is computed here.
+// Interactive figures. This script turns gestures into requests to the module "live", and shows the
+// module's replies on the page. The module contains the code of the five steps, so nothing about
+// rays is computed here.
 {
-    // While something moves, a picture may take FRAME milliseconds. If it takes longer, it is drawn
-    // with fewer columns, and with all of them once nothing has moved for REST milliseconds.
+    // While something moves, a picture may take FRAME milliseconds. A picture that takes longer is
+    // drawn with fewer columns. Once nothing has moved for REST milliseconds, it is drawn with all
+    // columns.
     const FRAME = 60, REST = 150;
-    // The cover's picture may take this many milliseconds at rest with as many columns as the
-    // printed one. If it takes longer, it is drawn with fewer.
+    // At rest, the cover's picture is drawn with as many columns as the printed picture has. If
+    // that takes longer than this many milliseconds, it is drawn with fewer columns.
     const LONGEST_REST_FRAME = 300;
 
-    // An address that ends in this and in a pixel's column and row chooses that pixel.
+    // An address that chooses a pixel ends with this prefix, followed by the pixel's column and
+    // row.
     const PIXEL = "#pixel=";
 
     /** @param {string} hash */
@@ -26,7 +29,8 @@
             this.fault = fault;
             this.isPreview = root.matches("[data-preview]");
             this.name = root.dataset.live ?? root.dataset.preview;
-            // The first are called after each reply is shown, the others after the controls are.
+            // `showCallbacks` are called after each reply is shown, and `controlsCallbacks` each
+            // time the controls are shown.
             /** @type {(() => void)[]} */
             this.showCallbacks = [];
             /** @type {(() => void)[]} */
@@ -35,8 +39,8 @@
             // "470,120". It's null until the probe has been shown.
             /** @type {string | null} */
             this.pixel = null;
-            // Whether the next pixel counts as the reader's choice even if it's the same as the
-            // last.
+            // Whether the next pixel counts as the reader's choice even if it's the same pixel as
+            // before.
             this.isPixelChosenAgain = false;
             /** @type {FigureAbout} */
             this.about = book.ask(module, { request: "about", figure: this.name });
@@ -64,8 +68,8 @@
             }
         }
 
-        // Adds the word "drag" beside a handle, until the figure is touched. If possible, the word
-        // goes to a side where it covers no label and no other handle.
+        // Adds the word "drag" beside a handle. The word disappears once the figure is touched. If
+        // possible, the word goes to a side where it covers no label and no other handle.
         /** @param {HTMLElement} handle */
         addCue(handle) {
             const cue = book.make("span", { "aria-hidden": true }, "drag");
@@ -86,13 +90,14 @@
             if (!sides.some(isFreeAt)) isFreeAt("");
         }
 
-        // Makes the stage, which holds the drawing or the picture, and the handles on top of it.
-        // The stage shows the builder's printed drawing or picture until something moves.
+        // Makes the stage, which holds a drawing or a picture, with the handles on top. Until
+        // something moves, the stage shows what the builder has printed.
         makeStage() {
             /** @type {HTMLImageElement} */
             const printed = this.root.querySelector("svg, img");
             const size = ["width", "height"].map(side => Number(printed.getAttribute(side)));
-            // The cover's picture is printed with more columns than are drawn while it moves.
+            // On the cover, this divisor is less than 1, because the printed picture has more
+            // columns than are drawn while something moves.
             this.leastDivisor = this.about.columns ? this.about.columns / size[0] : 1;
             this.size = size.map(side => side * this.leastDivisor);
             this.stage = book.make("div", { class: "stage" });
@@ -103,10 +108,11 @@
             this.printed = printed;
             /** @type {HTMLElement} */
             this.output = printed;
-            // Milliseconds that the picture takes with all its columns: a guess, until it is drawn.
+            // How many milliseconds it takes to draw the picture with all columns. This is a guess
+            // until the picture has been drawn.
             this.wholeTime = 2 * FRAME;
-            // The shortest time so far. It's the most reliable one, because interruptions only make
-            // a time longer.
+            // The shortest time so far. It's the most reliable time, because interruptions can only
+            // make a time longer.
             this.leastTime = Infinity;
             this.restTimer = 0;
             this.addressTimer = 0;
@@ -128,7 +134,8 @@
             this.conditionalParts = [...document.querySelectorAll(`[data-when^="${name}:"]`)];
             this.code = document.querySelector(`[data-code="${name}"] code`);
             // The listing may be coloured later, when it is about to scroll into view. Colouring
-            // replaces its elements, so the marks on its lines are lost.
+            // replaces the listing's elements and loses the marks on its lines, so mark the lines
+            // again.
             if (this.code) new MutationObserver(() => this.markChangedLines()).observe(this.code, { childList: true });
             this.companion = document.querySelector(`[data-companion="${name}"]`);
         }
@@ -162,8 +169,8 @@
             this.frame = requestAnimationFrame(() => this.drawMoving(gesture));
         }
 
-        // Finds the controls, which the builder has printed: for each parameter a slider or a
-        // switch, and a field for a number.
+        // Finds the controls, which the builder has printed. A parameter has a slider or a switch,
+        // and a field for a number.
         findControls() {
             /** @type {Map<string, Control>} */
             this.parameterControls = new Map();
@@ -199,8 +206,8 @@
                 this.setValue(id, value);
                 this.drawNextFrame({ request: "show" });
             });
-            // A finger that scrolls the page across a slider moves the slider first. Once the
-            // browser scrolls, put the value back.
+            // If a finger begins to scroll the page on a slider, it moves the slider first. Once
+            // the browser takes the gesture as scrolling, put the value back.
             let before = this.values[id];
             input.addEventListener("pointerdown", () => { before = this.values[id]; });
             input.addEventListener("pointercancel", () => {
@@ -208,9 +215,9 @@
                 this.setValue(id, before);
                 this.drawNextFrame({ request: "show" });
             });
-            // Unlike a number field, a text field also accepts 58,72 and 1/2. When the reader
-            // leaves it, the nearest allowed number replaces what was typed. The arrow keys step as
-            // in a number field.
+            // Turn a number field into a text field, which also accepts 58,72 and 1/2. When the
+            // reader leaves the field, the nearest allowed number replaces what was typed. The
+            // arrow keys still change the number by one step.
             if (input.type !== "number") return;
             input.type = "text";
             input.addEventListener("focus", () => input.select());
@@ -225,7 +232,8 @@
             });
         }
 
-        // In an editable scene, shows the controls of this object, and hides those of all others.
+        // In an editable scene, shows the controls of this object, and hides the controls of all
+        // other objects.
         /** @param {string | undefined} object */
         selectObject(object) {
             if (!object) return;
@@ -242,8 +250,8 @@
                 element.hidden = !visible[id] || object !== this.objectSelect?.value;
                 for (const input of inputs) {
                     if (input.type === "checkbox") input.checked = values[id] === 1;
-                    // Leave a number alone while it is being typed. If the figure can't show it,
-                    // say what it shows instead.
+                    // Leave a number alone while it is being typed. If the figure can't show this
+                    // number, say which number it shows instead.
                     else if (input.type === "range" || input !== document.activeElement) input.value = String(values[id]);
                     else if (Math.abs(book.readNumber(input.value) - values[id]) > 1e-9) book.setText(this.fault, `The figure shows ${texts[id]} instead.`);
                     if (input.type === "range") input.setAttribute("aria-valuetext", texts[id]);
@@ -253,9 +261,9 @@
             for (const callback of this.controlsCallbacks) callback();
         }
 
-        // Sends a request, and shows the reply. A picture has all its columns or, while something
-        // moves, perhaps only a half or a quarter of them. If there is nothing to show, the last
-        // figure stays, and the page says so.
+        // Sends a request, and shows the reply. The number of columns in a picture is divided by
+        // `divisor`, which may be 2 or 4 while something moves. If there is nothing to show, the
+        // figure stays as it was.
         /** @param {Gesture} gesture */
         draw(gesture = { request: "show" }, divisor = 1) {
             const { name: figure, values, about } = this;
@@ -352,8 +360,8 @@
             window.CSS.highlights?.set("changed", new Highlight(...ranges));
         }
 
-        // Shows, in the line below the picture, what the ray through the probe's pixel meets, and
-        // the pixel's colour. The line contains the hint until a pixel is chosen.
+        // Writes into the line below the picture what the ray through the probe's pixel meets, and
+        // what colour the pixel has. Until a pixel is chosen, this line contains the hint.
         /** @param {Record<string, string>} readouts */
         showPixel({ i, j, object, seen, bytes }) {
             this.probe.element.setAttribute("aria-valuetext", `column ${i}, row ${j}: ${seen}, colour ${bytes}`);
@@ -371,8 +379,8 @@
             if (isChosen) this.followPixel();
         }
 
-        // Makes the links to the chosen pixel: a button that copies one and, in a preview, also one
-        // to the panel on the same page.
+        // Makes a button that copies a link to the chosen pixel. In a preview, also makes a link to
+        // the panel on the same page.
         makeLinks() {
             if (!this.panel) return [];
             this.copyLink ??= book.make("button", { type: "button", class: "copy" }, "Copy link");
@@ -405,7 +413,7 @@
             if (location.hash.startsWith(PIXEL)) writeHash("");
         }
 
-        // An open panel takes the margin, if there is one.
+        // Opens or closes the panel. If there is a margin, an open panel takes it over.
         /** @param {boolean} isOpen */
         openPanel(isOpen) {
             this.panel.open = isOpen;
@@ -426,7 +434,8 @@
             this.stage.addEventListener("click", event => {
                 const { target, clientX, clientY } = event;
                 const isOnCross = target === this.probe.element;
-                // Another handle may cover the pixel. It was dragged if the pointer has moved.
+                // Another handle may cover the pixel. If the pointer has moved, that handle was
+                // dragged, so don't choose the pixel.
                 const isDragged = Math.hypot(clientX - pressed.clientX, clientY - pressed.clientY) > 2;
                 const isOnHandle = !isDragged && this.handles.some(({ element }) => element === target);
                 if (target !== this.output && !isOnCross && !isOnHandle) return;
@@ -450,8 +459,9 @@
     const figures = new Map();
 
     // An ordinary figure becomes interactive when it comes near the view. A preview becomes
-    // interactive only when a reader points at it. Only then is the module loaded. If that fails,
-    // the page says why, and tries again while the figure is near the view.
+    // interactive only when a reader points at it. The module isn't loaded any earlier. If loading
+    // fails, the page says why, and tries again after five seconds, once the figure is near the
+    // view.
     /** @param {HTMLElement} root */
     book.activateFigure = async root => {
         const controls = root.querySelector(".controls");
@@ -483,8 +493,9 @@
         if (press) output.dispatchEvent(new PointerEvent(press.type, press));
     }
 
-    // Parses an address that names a pixel, such as #pixel=470,120. Returns the figure whose probe
-    // can show the pixel, and the pixel's column and row, or null.
+    // Parses an address that names a pixel, such as #pixel=470,120. Returns the element of the
+    // figure whose probe can show the pixel, with the pixel's column and row. Returns null if there
+    // is no such figure.
     function findPixelOfAddress() {
         if (!location.hash.startsWith(PIXEL)) return null;
         const [, i, j] = location.hash.slice(PIXEL.length).match(/^(\d+)(?:,|%2C)(\d+)$/i) ?? [];
@@ -493,8 +504,8 @@
         return root && { root, i: Number(i), j: Number(j) };
     }
 
-    // Moves the probe to the pixel in the address, if its picture is interactive by now. This
-    // doesn't scroll to the picture, because the reader may have gone elsewhere meanwhile.
+    // Moves the probe to the pixel in the address, if the probe's picture is interactive by now.
+    // This doesn't scroll to the picture, because the reader may have gone elsewhere meanwhile.
     function movePixelOfAddress() {
         const { root, i, j } = findPixelOfAddress() || {};
         const figure = figures.get(root);
@@ -513,8 +524,8 @@
         movePixelOfAddress();
     }
     addEventListener("hashchange", openPixelOfAddress);
-    // A click on the link to the pixel that is already in the address doesn't change the address,
-    // so there is no hashchange.
+    // If the address already names a pixel, a click on a link to the same pixel doesn't change the
+    // address, so there is no hashchange event.
     addEventListener("click", event => {
         const target = /** @type {Element} */ (event.target);
         if (target.closest("a")?.hash === location.hash) openPixelOfAddress();

@@ -7,8 +7,8 @@
         ArrowLeft: ["horizontal", -1], ArrowRight: ["horizontal", 1], ArrowDown: ["vertical", -1], ArrowUp: ["vertical", 1],
     };
 
-    // A handle is a slider that follows the pointer, a finger and the arrow keys. `index` is its
-    // index in the list of handles.
+    // A handle is a slider that follows the pointer, a finger and the arrow keys. `index` is the
+    // handle's index in the figure's list of handles.
     book.Handle = class {
         /** @param {InteractiveFigure} figure @param {HandleAbout} about @param {number} index */
         constructor(figure, about, index) {
@@ -20,8 +20,8 @@
             this.object = figure.about.colours ? about.label : undefined;
             /** @type {[number, number] | null} */
             this.position = null;
-            // The vector from the pointer to the handle. It is kept during a drag, so that the
-            // handle doesn't jump to the pointer.
+            // The vector from the pointer to the handle. It stays the same during a drag, so that
+            // the handle doesn't jump to the pointer.
             this.offset = [0, 0];
             this.element = book.make("span", {
                 class: `handle handle-${about.mark}`, role: "slider", tabindex: 0, "aria-label": about.label, title: about.label,
@@ -50,7 +50,7 @@
             this.figure.drawNextFrame({ request: "drag", handle: this.index, position: [x + this.offset[0], y + this.offset[1]] });
         }
 
-        // Moves the handle's object towards the reader, or away.
+        // Moves the handle's object towards the reader or away from the reader.
         /** @param {number} length in screen pixels */
         changeDepth(length) {
             const { depth } = this.about;
@@ -71,8 +71,8 @@
             const steps = (event.shiftKey ? 10 : 1) * sign * (isReversed ? -1 : 1);
             this.figure.setValue(id, this.figure.values[id] + steps * step);
             // Don't wait for the next frame: keys may repeat faster than frames are drawn, and no
-            // press may be lost. Moving a probe doesn't change the picture, so only the numbers are
-            // asked for.
+            // key press should be lost. Moving a probe doesn't change the picture, so request only
+            // the numbers.
             this.figure.drawMoving({ request: this === this.figure.probe ? "read" : "show" });
         }
 
@@ -95,8 +95,8 @@
             const { figure, element, about } = this;
             const { values, reply: { positions, texts }, size } = figure;
             this.position = positions[this.index];
-            // A handle's value is rounded to a step, so at the border, the handle may be a little
-            // outside.
+            // A handle's values are rounded to steps, so at the border of the figure, the handle
+            // may be a little outside.
             const isInside = this.position?.every((x, k) => -4 <= x && x <= size[k] + 4) ?? false;
             const isLost = !isInside && element === document.activeElement;
             element.hidden = !isInside;

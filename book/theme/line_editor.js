@@ -1,26 +1,28 @@
 "use strict";
 
-// Lines in the listings that the reader edits. A click or a key press on a line selects it, and a
-// panel below the listing shows what it draws: the module `expressions` contains the five steps,
-// and draws with the reader's text in place of the book's. One line at a time is selected; the
-// others keep their text.
+// The lines in listings that the reader can edit. A click or a key press on a line selects the
+// line. A panel below the listing then shows the picture that the step draws with the edited lines.
+// The module `expressions`, which contains the five steps, draws this picture with the reader's
+// text in place of the book's. Only one line at a time is selected, but all edited lines keep their
+// text.
 {
-    const SMALL = 320, LARGE = 640; // Columns while the reader types, and at rest.
-    const REST = 300; // Milliseconds after the last key.
+    const SMALL = 320, LARGE = 640; // The columns of a picture while the reader types, and at rest.
+    const REST = 300; // Rest begins this many milliseconds after the last key press.
 
-    // Finds a line by its name. Don't keep the element, because colouring a listing replaces its
-    // lines with new elements, unless one of them is being edited.
+    // Finds a line by its name. Call this instead of storing the element, because colouring a
+    // listing replaces the elements of its lines.
     /** @type {(name: string) => EditedLine} */
     const find = name => document.querySelector(`[data-line="${name}"]`);
     /** @type {EditedLine | null} */
     let selected = null;
-    // The states for Undo and Redo. Each has the texts of the edited lines, keyed by name.
+    // The states for Undo and Redo. A state consists of the texts of the edited lines, keyed by the
+    // lines' names.
     /** @type {UndoHistory<Record<string, string>>} */
     const states = new book.History({});
     let restTimer = 0;
     // What is wrong with the link that the reader followed, if anything.
     let linkFault = "";
-    // What the last undo did, until something is typed.
+    // What the last Undo or Redo did. It is cleared once something is typed.
     let undone = "";
 
     /** @type {(words: string, act: () => void, label?: string) => HTMLButtonElement} */
@@ -83,20 +85,21 @@
         code.addEventListener("input", drawSoon);
     }
 
-    // The text of a line. Browsers insert no-break spaces for some of the spaces that are typed.
+    // Returns the text of a line. For some of the spaces that a reader types, browsers insert
+    // no-break spaces.
     /** @param {EditedLine} line */
     const readText = line => line.textContent.replace(/\u00a0/g, " ");
     /** @param {EditedLine} line */
     const isBook = line => readText(line) === line.dataset.book;
-    // Finds the lines whose text isn't the book's. A line that is edited or selected has the book's
-    // text in `data-book`.
+    // Finds the lines whose text differs from the book's. While a line is edited or selected, its
+    // `data-book` contains the book's text.
     const findEdited = () => {
         /** @type {EditedLine[]} */
         const lines = [...document.querySelectorAll("[data-book]")];
         return lines.filter(line => !isBook(line));
     };
 
-    // Stores the book's text of a line, and its colours, so that they can be restored.
+    // Stores the book's text of a line and the HTML that colours it, so that both can be restored.
     /** @param {EditedLine} line */
     function keepBook(line) {
         line.dataset.book ??= line.textContent;
@@ -112,9 +115,9 @@
         if (line !== selected) delete line.dataset.book;
     }
 
-    // Opens or closes the panel by calling `act`, and then scrolls so that an element stays where
-    // it was in the window. Without that it might jump, since notes above it may move into the
-    // margin, or out of it.
+    // Calls `act`, which opens or closes the panel. Then scrolls so that `element` stays where it
+    // was in the window. Otherwise the element might jump, since notes above it may move into the
+    // margin or out of the margin.
     /** @param {Element} element @param {() => void} act */
     function keepPlace(element, act) {
         const { top } = element.getBoundingClientRect();
@@ -154,7 +157,7 @@
         if (!code.matches(".hljs")) book.colour(code);
     }
 
-    // Records the edited lines, for Undo and in the address.
+    // Records the edited lines in the history for Undo, and in the address.
     function record() {
         const edits = Object.fromEntries(findEdited().map(line => [line.dataset.line, readText(line)]).sort());
         states.record(edits);
@@ -165,7 +168,7 @@
     }
 
     // Shows the state that is this many edits later (or earlier, if the number is negative), and
-    // selects the line that differs.
+    // selects the first line that differs.
     /** @param {number} edits */
     function show(edits) {
         record();
@@ -199,8 +202,8 @@
     /** @param {string} text */
     const hasControl = text => /[^\P{Cc}\n\t]/u.test(text);
 
-    // Draws the edited lines. Shows the module's message and updates the address only for the large
-    // picture, which is drawn once the reader stops typing.
+    // Draws the edited lines. The large picture is drawn once the reader stops typing. Only then
+    // are the module's message shown and the address updated.
     /** @param {number} columns */
     async function draw(columns) {
         const line = selected;
@@ -228,7 +231,7 @@
         if (reply.size) book.paint(canvas, reply);
         if (columns !== LARGE) return;
         record();
-        // A reader who has scrolled away in the meantime isn't brought back.
+        // If the reader has scrolled away in the meantime, don't scroll back.
         const { top, bottom } = line.getBoundingClientRect();
         const isInView = bottom > 0 && top < innerHeight;
         const wrong = reply.line ? find(reply.line) : null;
@@ -243,12 +246,12 @@
         if (isInView) keepInView();
     }
 
-    // Shows a message. If it has a second line, that is a list of names, which is folded if there
-    // is little room.
+    // Shows a message. The second line of the message, if any, is a list of names. The list is
+    // folded if there is little room.
     /** @param {string} text */
     function say(text) {
         const [sentence, list] = text.split("\n");
-        if (status.dataset.text === text) return; // An open list stays open.
+        if (status.dataset.text === text) return; // If the list is open, leave it open.
         status.dataset.text = text;
         status.replaceChildren(sentence);
         if (!list) return;
@@ -257,8 +260,8 @@
         status.append(" ", names);
     }
 
-    // Keeps the line and the panel in view. If the panel is below the listing, it doesn't cover the
-    // line.
+    // Scrolls so that the line and the panel are in view. If the panel is below the listing, leaves
+    // room for it, so that it doesn't cover the line.
     function keepInView() {
         if (!selected) return;
         const isBeside = panel.getBoundingClientRect().left >= selected.closest("pre").getBoundingClientRect().right;
@@ -276,8 +279,8 @@
         if (line) window.CSS.highlights?.set("wrong", new Highlight(book.makeRange(line, from, Math.max(1, to - from))));
     }
 
-    // Opens the edits that are in the address, and selects the first. Listings are coloured before
-    // the edits are written into them, since a listing with an edited line isn't coloured any more.
+    // Opens the edits that are in the address, and selects the line of the first edit. Colours the
+    // listings first, because a listing that contains an edited line isn't coloured any more.
     async function openAddress() {
         const words = new URLSearchParams(location.hash.slice(1)).getAll("line");
         const places = document.querySelectorAll("[data-line]").length;
@@ -302,15 +305,15 @@
         });
     }
 
-    // A click elsewhere deselects a line that still has the book's text. This listens in the
-    // capture phase, so that it runs before a click on Undo selects a line.
+    // A click elsewhere deselects a line that still has the book's text. The listener is called in
+    // the capture phase, before a click on Undo can select a line.
     addEventListener("click", event => {
         if (selected && isBook(selected) && ![tool, selected.closest("figure")].some(part => event.composedPath().includes(part))) {
             keepPlace(/** @type {Element} */ (event.target), deselect);
         }
     }, { capture: true });
     addEventListener("hashchange", openAddress);
-    // An on-screen keyboard covers the bottom of the page, so keep the panel above it.
+    // An on-screen keyboard covers the bottom of the page, so keep the panel above the keyboard.
     window.visualViewport?.addEventListener("resize", () => {
         const { height, offsetTop } = visualViewport;
         panel.style.bottom = `${Math.max(0, innerHeight - height - offsetTop)}px`;

@@ -2,11 +2,11 @@
 
 // A scene of the reader's own: its tools, its gestures, and its address.
 {
-    // The number of columns in a picture that a reader downloads. It is drawn with twice as many
-    // and then scaled down, which smooths its edges.
+    // The number of columns in a picture that a reader downloads. The picture is drawn with twice
+    // as many columns and then scaled down, which smooths its edges.
     const KEPT_COLUMNS = 1920;
 
-    // An address that ends in this and in the values of a scene opens that scene.
+    // An address that opens a scene ends with this prefix, followed by the scene's values.
     const SCENE = "#scene=";
 
     /** @typedef {(words: string, act: () => void) => HTMLButtonElement} AddTool */
@@ -49,8 +49,8 @@
     /** @param {InteractiveFigure} figure @param {[number, number]} position @returns {string | null} */
     const pickObject = ({ module, name, values }, position) => book.ask(module, { request: "pick", figure: name, values, position }).object;
 
-    // The link below a preview leads to its scene. Once the scene has changed, there's a Reset,
-    // too.
+    // The link below a preview opens the scene that the preview shows. Once the reader has changed
+    // the scene, there is also a Reset button.
     /** @param {InteractiveFigure} figure */
     function followLink(figure) {
         const { values } = figure;
@@ -68,8 +68,8 @@
         });
     }
 
-    // Adds Undo and Redo. Returns a function that records the values of the scene, to be called
-    // when it is at rest.
+    // Adds Undo and Redo. Returns a function that records the values of the scene. Call this
+    // function when the scene is at rest.
     /** @param {InteractiveFigure} figure @param {AddTool} addTool */
     function addHistory(figure, addTool) {
         const states = new book.History(figure.values);
@@ -121,10 +121,10 @@
         };
         figure.afterShow(writeAtRest);
         const openScene = () => {
-            // A link to a heading has replaced the scene in the address. The page has scrolled to
-            // the heading by now, so the address can hold the scene again.
+            // If a link to a heading has replaced the scene in the address, the page has scrolled
+            // to the heading by now, so put the scene back into the address.
             if (!location.hash.startsWith(SCENE)) return writeAddress();
-            // Some mail programs write a colon as %3A.
+            // Some mail programs escape the colons and commas in an address.
             const address = location.hash.slice(SCENE.length).replace(/%3A/gi, ":").replace(/%2C/gi, ",");
             try {
                 figure.show(book.ask(figure.module, { request: "open", figure: figure.name, address }));
@@ -152,7 +152,8 @@
         });
     }
 
-    // Adds a field that sets the red, green and blue of the chosen object, if it has a colour.
+    // Adds a field for the colour of the chosen object. The field is hidden if this object has no
+    // colour.
     /** @param {InteractiveFigure} figure @param {HTMLElement} tools */
     function addColourField(figure, tools) {
         const field = book.make("input", { type: "color" });
@@ -190,8 +191,8 @@
         });
     }
 
-    // Lets the reader drag a ball by any point on it. To change a ball's depth, pinch on a
-    // touchpad, turn the wheel with Alt, or drag with Shift.
+    // Lets the reader drag a ball by any point on it. The reader can change a ball's depth by
+    // pinching on a touchpad, turning the wheel with Alt, or dragging with Shift.
     /** @param {InteractiveFigure} figure */
     function dragObjects(figure) {
         /** @param {{ clientX: number, clientY: number }} pointer */

@@ -1,8 +1,9 @@
 "use strict";
 
-// The modules, which contain the code of the five crates: "live" draws the figures, "check" checks
-// the reader's picture, and "expressions" draws pictures with the lines that the reader has edited.
-// The last two need the list of mistakes, which is a separate script.
+// The WebAssembly modules, which contain the code of the five steps. "live" draws the figures,
+// "check" checks the reader's picture, and "expressions" draws pictures with the lines that the
+// reader has edited. "check" and "expressions" need the list of mistakes, which is a separate
+// script.
 {
     /** @type {Record<string, string>} */
     const files = {};
@@ -28,7 +29,8 @@
         drop: name => { delete modules[name]; },
     };
 
-    // A worker runs a copy of the source text of the next three, so they may only use each other.
+    // A worker runs a copy of the source text of `Refusal`, `startModule` and `ask`, so these three
+    // may use each other, but nothing else from the page's scripts.
     book.Refusal = class extends Error {};
 
     book.startModule = async ({ module, mistakes }) => {
