@@ -1,4 +1,4 @@
-//! Explains whether a picture is the one it should be, and why not.
+//! Explains how and why a picture differs from its target.
 
 use crate::Verdict;
 use crate::answer::{Cause, OptionDoubts, join_first};
@@ -16,23 +16,23 @@ use course::{Mistake, Step};
 /// The maximum number of causes that an answer names.
 const MAX_CAUSES: usize = 3;
 
-/// The maximum number of lines in a diff that an answer shows.
+/// The maximum number of lines in a diff. Answers leave out longer diffs.
 const MAX_DIFF_LINES: usize = 4;
 
-/// The file that reads the options. A mistake there, such as a wrong default, has the same effect
-/// as other options, so it doesn't cast doubt on them.
+/// The file that reads the program's options. A mistake in this file, such as a wrong default, has
+/// the same effect as typing other options. So it isn't a reason for [`OptionDoubts`].
 const OPTIONS_FILE: &str = "steps/step01_rays/src/program.rs";
 
-/// A line for exercises. We have no scenes for them, so we can't try out options.
+/// A line about exercises. We have no scenes for exercises, so we can't try out options.
 const EXERCISE_NOTE: &str =
-    "Ours is drawn without options: with some, a right program may draw a different picture.";
+    "Ours is drawn without options. With options, a right program may draw a different picture.";
 
 const TEST_COMMAND: &str = "cargo test --no-fail-fast --test by_hand";
 
-/// The number of rays that may be computed to try out changes.
+/// The maximum number of rays for trying out changes.
 const MAX_RAYS: u32 = 4_000_000;
 
-/// An answer based on the colours of the pixels alone. `check::compare` completes it with the notes
+/// The parts of an answer that depend only on the pixels' colours. `check::compare` adds the notes
 /// on the file, and takes the alpha channel into account.
 pub(crate) struct Explanation {
     pub verdict: Verdict,
@@ -45,8 +45,7 @@ pub(crate) struct Explanation {
     pub option_doubts: OptionDoubts,
 }
 
-/// Explains whether a picture equals the target and, if not, how it differs and which causes are
-/// known.
+/// Compares a picture with the target. If they differ, explains how, and finds the known causes.
 pub(crate) fn explain(yours: &ReaderPicture, target: &Target) -> Explanation {
     let title = &target.title;
     if yours.rgb == target.picture {
@@ -61,7 +60,7 @@ pub(crate) fn explain(yours: &ReaderPicture, target: &Target) -> Explanation {
     let mistakes =
         target.name.as_ref().map(|name| yours.find_mistakes_for_target(name)).unwrap_or_default();
     let options = target.scene.as_ref().and_then(|scene| find_options(scene, &yours.rgb));
-    // A listed mistake is likelier than an angle that hardly anybody would type.
+    // Prefer a listed mistake to options with an angle that hardly anybody would type.
     if let Some(options) = &options
         && (options.is_plain_angle() || mistakes.is_empty())
     {
@@ -118,9 +117,9 @@ fn explain_options(
     }
 }
 
-/// Tries out different numbers in the scene and different cameras, and returns those that reproduce
-/// the whole picture. If the budget runs out, returns none, since the untried ones might reproduce
-/// it, too.
+/// Tries out changed numbers in the scene and changed cameras, and returns the changes that
+/// reproduce the whole picture. If the budget runs out, returns no changes at all, since those that
+/// weren't tried might reproduce the picture, too.
 fn find_unlisted_causes(comparison: &Comparison) -> Vec<Cause> {
     let Some(scene) = &comparison.target.scene else { return vec![] };
     let budget = Budget::new(MAX_RAYS);
@@ -130,10 +129,10 @@ fn find_unlisted_causes(comparison: &Comparison) -> Vec<Cause> {
     if budget.is_spent() { vec![] } else { causes }
 }
 
-/// Describes the causes. The first line names a few of them, and the files that contain the others.
-/// If a right program with certain `options` draws the same picture, the line mentions these
-/// options, too, since they explain the picture just as well. If the first cause is a listed
-/// mistake, more lines describe it.
+/// Describes the causes. The first line names up to `MAX_CAUSES` causes, and the files that contain
+/// the other causes. If a right program also draws the picture with certain `options`, the line
+/// mentions these options, since they explain the picture just as well. If the first cause is a
+/// listed mistake, further lines describe that mistake.
 fn describe_causes(causes: &[Cause], options: Option<&Options>) -> Vec<String> {
     let Some(first) = causes.first() else { return vec![] };
     let is_listed = causes.iter().all(|cause| matches!(cause, Cause::Mistake(_)));
@@ -162,8 +161,8 @@ fn describe_causes(causes: &[Cause], options: Option<&Options>) -> Vec<String> {
     lines
 }
 
-/// Describes a listed mistake: first its diff, unless that is long, and then, if the book shows the
-/// mistake, why it is wrong and which section to read.
+/// Describes a listed mistake. Shows the diff unless it is too long. If the book shows the mistake,
+/// also says why it is wrong and which section to read.
 fn describe_mistake(mistake: &Mistake) -> Vec<String> {
     let diff = mistake.old_and_new_lines();
     let mut lines: Vec<_> = diff.lines().map(|line| format!("  {line}")).collect();
@@ -178,8 +177,8 @@ fn describe_mistake(mistake: &Mistake) -> Vec<String> {
 }
 
 /// Describes how a picture of the right size differs from the target: the facts, the number of
-/// wrong pixels, the `by_hand` tests to run, and one pixel. The tests are those of every step that
-/// takes part in drawing the picture, since any of these steps may be wrong.
+/// wrong pixels, the `by_hand` tests to run, and one wrong pixel. Includes the tests of every step
+/// that takes part in drawing the picture, since any of these steps may be wrong.
 fn describe_comparison(comparison: &Comparison, facts: Vec<String>) -> Vec<String> {
     let Comparison { target, wrong, right, most_different } = comparison;
     let count = format!(
@@ -190,7 +189,7 @@ fn describe_comparison(comparison: &Comparison, facts: Vec<String>) -> Vec<Strin
         target.title,
         most_different.largest_difference()
     );
-    // If no pixel is off by more than 1, that says more than any fact.
+    // If no byte is off by more than 1, the line with the count is more helpful than any fact.
     let (before, after) =
         if most_different.largest_difference() == 1 { (vec![], facts) } else { (facts, vec![]) };
     let mut lines = [before, vec![count], after].concat();

@@ -9,8 +9,7 @@ use thiserror::Error;
 /// The signature at the start of each PNG file.
 const PNG: &[u8] = b"\x89PNG\r\n\x1a\n";
 
-const COPIED_AS_TEXT: &str =
-    "a PNG file whose first bytes have changed, as by a copy as text; copy it as binary";
+const COPIED_AS_TEXT: &str = "a PNG file whose first bytes have changed, as if it had been copied as text; copy it as binary";
 const BEHIND_MARK: &str =
     "a PNG file with a byte order mark in front, as if it were text; copy it as binary";
 const IN_BASE64: &str = "a PNG file as text, in base64; decode it first";
@@ -18,8 +17,9 @@ const IN_UTF_16: &str = "text in UTF-16, as > writes it in PowerShell; have the 
                          picture itself";
 const WEB_PAGE: &str = "a web page, not the picture on it; save the picture itself";
 
-/// Formats other than PNG: for each, the offset of its signature in the file, the signature, and a
-/// clause to follow "is". The last entries are PNG files whose signature was damaged by copying.
+/// Formats other than PNG. An entry consists of the offset of the format's signature in the file,
+/// the signature, and a clause to follow "is". The last entries stand for PNG files whose signature
+/// was damaged by copying.
 const FORMATS: [(usize, &[u8], &str); 26] = [
     (0, b"\xff\xd8\xff", "a JPEG, which has lost details; draw it again as PNG"),
     (8, b"WEBP", "a WebP picture; save it as PNG"),
@@ -77,14 +77,14 @@ pub(crate) struct DecodedPng {
     pub rgb: RgbImage,
     /// Whether some pixels are not opaque.
     pub is_transparent: bool,
-    /// One sentence for each unusual property of the file, and for anything that was left out.
+    /// One sentence for each unusual property of the file, such as a palette or transparent pixels.
     pub notes: Vec<String>,
 }
 
 /// Why the picture in a file can't be read. Each message is a clause to follow the file name.
 #[derive(Debug, Error)]
 pub enum PngError {
-    /// The file has a different format, or an unknown one.
+    /// The file isn't a PNG file, or is only the beginning of a PNG file.
     #[error("is {0}")]
     OtherFormat(&'static str),
     /// The file is larger than the limit.
@@ -112,7 +112,7 @@ pub enum PngError {
         /// The number of rows in the picture.
         rows: u32,
     },
-    /// The decoder gave up.
+    /// The decoder rejected the file.
     #[error("is a damaged PNG file: {}", damage_clause(.0))]
     Damaged(#[source] DecodingError),
     /// The decoder returned too few pixels.
@@ -120,7 +120,7 @@ pub enum PngError {
     MissingPixels,
 }
 
-/// Reads the picture in a PNG file. The size is checked before anything is unpacked.
+/// Reads the picture in a PNG file. Checks the size before unpacking anything.
 pub(crate) fn read_png(file: &[u8]) -> Result<DecodedPng, PngError> {
     if file.len() as u64 > MAX_FILE_BYTES {
         return Err(PngError::TooManyBytes);
@@ -130,8 +130,8 @@ pub(crate) fn read_png(file: &[u8]) -> Result<DecodedPng, PngError> {
     }
     let limits = Limits { bytes: MAX_FILE_BYTES as usize };
     let mut decoder = Decoder::new_with_limits(Cursor::new(file), limits);
-    // Expands palettes to colours, transparent colours to alpha, and samples of fewer than 8 bits
-    // to 8.
+    // Expand palettes to colours, transparent colours to an alpha channel, and samples of fewer
+    // than 8 bits to samples of 8 bits.
     decoder.set_transformations(Transformations::EXPAND);
     decoder.set_ignore_text_chunk(true);
     let mut reader = decoder.read_info().map_err(PngError::Damaged)?;
@@ -162,7 +162,7 @@ pub(crate) fn read_png(file: &[u8]) -> Result<DecodedPng, PngError> {
     Ok(DecodedPng { rgb, is_transparent: transparent.count > 0, notes })
 }
 
-/// Describes features of a PNG file that the course's programs don't use, in a sentence each.
+/// Returns a sentence for each feature of a PNG file that the course's programs don't use.
 fn describe_unusual_features(info: &Info) -> Vec<String> {
     let mut notes = vec![];
     if info.color_type == ColorType::Indexed {
@@ -198,12 +198,12 @@ fn round_samples(bytes: &[u8]) -> Vec<u8> {
 #[derive(Default)]
 struct TransparentPixels {
     count: usize,
-    /// The index of the first one, counted row by row.
+    /// The index of the first of these pixels, counted row by row.
     first: Option<usize>,
 }
 
-/// Separates the samples into the red, green and blue of each pixel, and a record of the pixels
-/// that aren't opaque.
+/// Splits off the alpha channel. Returns the red, green and blue of all pixels, and a summary of
+/// the pixels that aren't opaque.
 fn split_alpha(samples: Vec<u8>, colour_type: ColorType) -> (Vec<u8>, TransparentPixels) {
     let mut transparent = TransparentPixels::default();
     let mut note_alpha = |index: usize, alpha: u8| {

@@ -1,5 +1,6 @@
-//! The sheet for a name. It lists the numbers of the scene that is generated from this name, for a
-//! student to type in Rust, and sets problems to solve on paper with the same numbers.
+//! The sheet for a name. It lists the numbers of the scene that is generated from this name, so
+//! that a student can type them in Rust. It also sets problems about these numbers, to be solved on
+//! paper.
 
 use crate::changed_number::{format_quantity, owner_names};
 use crate::class::table::align;
@@ -19,8 +20,10 @@ use std::path::Path;
 use step05_phong::{Ray, Terms};
 use thiserror::Error;
 
-/// The file with all sheets, one per page, and the file with all answers.
+/// The file with all sheets, one per page.
 const SHEETS_FILE: &str = "sheets.html";
+
+/// The file with the answers to the problems of all sheets.
 const ANSWERS_FILE: &str = "answers.html";
 
 const STYLE: &str = "body { font-family: sans-serif; font-size: 10pt; margin: 1.5cm }
@@ -55,8 +58,8 @@ pub enum SheetError {
 /// The contents of a sheet.
 struct Sheet {
     name: String,
-    /// A table for the objects, one for the lights and one for the scene. The first row of each has
-    /// the headings.
+    /// Three tables: for the objects, for the lights and for the scene. The first row of each table
+    /// consists of the headings.
     tables: Vec<Vec<Vec<String>>>,
     instructions: Vec<String>,
     problems: Vec<String>,
@@ -79,9 +82,9 @@ pub fn format_sheet(name: &str, secret: Option<&str>) -> String {
     Sheet::new(name, secret).to_markdown()
 }
 
-/// Writes the sheets for a class to a folder that doesn't exist yet: a file for each name, and one
-/// with all sheets for printing. If any file can't be written, no files are written. Returns lines
-/// that list the files.
+/// Writes the sheets for a class to a folder that doesn't exist yet. There is one file for each
+/// name, and one file with all sheets, for printing. `with_answers` adds a file with the answers.
+/// If any file can't be written, no files are written. Returns lines that list the files.
 pub fn write_sheets(
     names: &[String],
     secret: Option<&str>,
@@ -139,8 +142,8 @@ impl Sheet {
             "Name: ______________________________  Points: _____ of 12".to_owned(),
             "Work with six decimals, and give four.".to_owned(),
         ];
-        // The pixel is derived from the numbers instead of the name, so that two spellings with the
-        // same scene get the same pixel.
+        // Derive the pixel from the numbers instead of the name. If two spellings of a name give
+        // the same scene, they then also give the same pixel.
         let pixels_to_skip = fnv_1a(tables.concat().concat().concat().bytes()) % 10_000;
         let pixel = find_problem_pixel(&scene, pixels_to_skip as usize);
         let (problems, answers) =
@@ -157,7 +160,7 @@ impl Sheet {
     fn to_markdown(&self) -> String {
         let mut markdown = format!("# The scene of {}\n\n", self.name);
         for table in &self.tables {
-            // Indented lines are code in Markdown, so the columns stay aligned.
+            // Indent the lines. This makes them code in Markdown, so that the columns stay aligned.
             let lines = align(table);
             markdown.extend(lines.lines().flat_map(|line| ["    ", line, "\n"]));
             markdown += "\n";
@@ -192,8 +195,8 @@ impl Sheet {
     }
 }
 
-/// Builds the table of all numbers that belong to the objects, the lights or the scene, as they are
-/// typed in Rust.
+/// Builds a table of all numbers that belong to the given kind of owner. The numbers are written as
+/// they are typed in Rust.
 fn number_table(scene: &StepScene, owner: Owner) -> Vec<Vec<String>> {
     let is_seen =
         |quantity: &&Quantity| !quantity.scalars.iter().any(|scalar| scalar.needs_mirrors);
@@ -208,9 +211,13 @@ fn number_table(scene: &StepScene, owner: Owner) -> Vec<Vec<String>> {
     iter::once(head.collect()).chain(rows).collect()
 }
 
-/// Finds a pixel that shows a ball lit by both lights, with a highlight, and that has a second ball
-/// behind it. If there is none, looks for a single ball, and then for a single light.
-/// `pixels_to_skip` decides which of these pixels is found.
+/// Finds a pixel that shows a ball with a highlight. The pixel is of the first kind that occurs:
+///
+/// 1. Both lights are bright on the visible ball, and the ray meets a second ball.
+/// 2. Both lights are bright on the visible ball, and the ray meets no other ball.
+/// 3. The first light is bright on the visible ball, and the ray meets no other ball.
+///
+/// `pixels_to_skip` decides which pixel of this kind is found.
 fn find_problem_pixel(scene: &StepScene, pixels_to_skip: usize) -> Option<ProblemPixel> {
     let find = |ball_count: usize, light_count: usize| {
         let camera = camera();
@@ -226,9 +233,9 @@ fn find_problem_pixel(scene: &StepScene, pixels_to_skip: usize) -> Option<Proble
     find(2, 2).or_else(|| find(1, 2)).or_else(|| find(1, 1))
 }
 
-/// Returns the pixel with all the balls that its ray meets. Returns None if the ray doesn't show a
-/// ball. Also returns None if the ray grazes one: there, the discriminant D is small and has fewer
-/// significant digits, so rounding on paper would spoil the answer.
+/// Returns the pixel, with all balls that its ray meets. Returns None if the pixel doesn't show a
+/// ball. Also returns None if the ray grazes a ball: then the discriminant D is small and has fewer
+/// significant digits, so that rounding on paper would spoil the answer.
 fn problem_pixel_of_ray(scene: &StepScene, position: (u32, u32), ray: Ray) -> Option<ProblemPixel> {
     let objects = &scene.own.scene.objects;
     let is_ball = |hit: &ObjectHit| hit.object != GROUND;
@@ -239,8 +246,8 @@ fn problem_pixel_of_ray(scene: &StepScene, position: (u32, u32), ray: Ray) -> Op
 }
 
 impl ProblemPixel {
-    /// Whether each of the first `light_count` lights is bright here, and at least one makes a
-    /// highlight.
+    /// Whether each of the first `light_count` lights is bright at the visible point, and whether
+    /// these lights together make a highlight there.
     fn is_bright_with_highlight(&self, light_count: usize, scene: &StepScene) -> bool {
         let mut sum = Terms::default();
         for light in &scene.own.scene.lights[..light_count] {
@@ -297,8 +304,8 @@ impl ProblemPixel {
             ),
             (
                 format!(
-                    "What are a, b, c and D of its ray and {}?",
-                    names.join(", and of it and ")
+                    "What are a, b, c and D of the pixel's ray and {}?",
+                    names.join(", and of the ray and ")
                 ),
                 join_with_semicolons(coefficients),
             ),
@@ -312,7 +319,7 @@ impl ProblemPixel {
                 join_with_semicolons(directions),
             ),
             (
-                "What are I_a, and the sums of I_d and of I_s over both lights, there and in red?"
+                "What are I_a, and the sums of I_d and of I_s over both lights, at this point and in red?"
                     .to_owned(),
                 format!("I_a = {i_a}, I_d = {i_d}, I_s = {i_s}"),
             ),
@@ -325,7 +332,7 @@ fn join_with_semicolons(clauses: impl Iterator<Item = String>) -> String {
     clauses.collect::<Vec<_>>().join("; ")
 }
 
-/// Builds a page for printing. `kind` is its title, and selects its style.
+/// Builds a page for printing. `kind` is the title of the page, and selects its style.
 fn html_page(kind: &str, sections: impl Iterator<Item = String>) -> String {
     let sections: String = sections.map(|html| format!("<section>\n{html}</section>\n")).collect();
     format!(

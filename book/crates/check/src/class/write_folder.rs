@@ -8,14 +8,14 @@ use thiserror::Error;
 /// Why no folder was written. The paths are escaped for a terminal.
 #[derive(Debug, Error)]
 pub enum WriteFolderError {
-    /// The path, such as `..`, doesn't end in a name.
+    /// The path doesn't end in a name. An example is `..`.
     #[error("{0} is not the name of a new folder")]
     NoName(String),
     /// Something already exists at this path.
     #[error("{0} exists already; choose a folder that doesn't")]
     Exists(String),
     /// The system couldn't write the folder.
-    #[error("{folder} can't be written, and no file was: {source}")]
+    #[error("{folder} can't be written, so no files were written: {source}")]
     Io {
         /// The path of the folder.
         folder: String,
