@@ -58,8 +58,8 @@ fn reports_on_a_class_are_as_locked() {
             ("latin1.txt", b"J\xf6rg".to_vec()),
         ],
     );
-    fs::create_dir_all(folder.join("class/Ivo")).expect("a folder");
-    fs::create_dir_all(folder.join("empty")).expect("a folder");
+    fs::create_dir_all(folder.join("class/Ivo")).expect("the folder can be created");
+    fs::create_dir_all(folder.join("empty")).expect("the folder can be created");
     let runs: [&[&str]; 16] = [
         &["--in", "class", "--require", REQUIRED],
         &["--in", "class", "--require", REQUIRED, "--csv"],
@@ -119,8 +119,8 @@ fn odd_names_of_folders_stay_apart() {
     let [rays, sphere] = ["step01_rays", "step02_sphere"].map(locked_file);
     let write = |student: &[u8], file: &[u8]| {
         let student = folder.join("class").join(OsStr::from_bytes(student));
-        fs::create_dir_all(&student).expect("a folder");
-        fs::write(student.join("step01_rays.png"), file).expect("a file");
+        fs::create_dir_all(&student).expect("the folder can be created");
+        fs::write(student.join("step01_rays.png"), file).expect("the file can be written");
     };
     write(b"J\x94rg", &rays);
     write(b"J\x81rg", &sphere);
@@ -130,9 +130,10 @@ fn odd_names_of_folders_stay_apart() {
     write("\u{9b}2J\u{202e}\u{7f}".as_bytes(), &rays);
     write(b"\t=1+1", &rays);
     write("\u{ff1d}1+1".as_bytes(), &rays);
-    symlink("J\u{9b}rg", folder.join("class/link")).expect("a link");
-    symlink("nowhere", folder.join("class/D\u{f6}ra/step02_sphere.png")).expect("a link");
-    fs::write(folder.join("names.txt"), "D\u{f6}ra").expect("a file");
+    symlink("J\u{9b}rg", folder.join("class/link")).expect("the link can be created");
+    symlink("nowhere", folder.join("class/D\u{f6}ra/step02_sphere.png"))
+        .expect("the link can be created");
+    fs::write(folder.join("names.txt"), "D\u{f6}ra").expect("the file can be written");
     let runs: [&[&str]; 3] = [
         &["--in", "class", "--names", "names.txt"],
         &["--in", "class", "--csv"],
@@ -153,9 +154,9 @@ fn folders_with_too_many_entries_are_reported() {
         let file = format!("class/Bob/step01_rays-{k}.png");
         write_files(&folder, [(&file, locked_file("step01_rays"))]);
     }
-    fs::create_dir_all(folder.join("class/Ada/more")).expect("a folder");
+    fs::create_dir_all(folder.join("class/Ada/more")).expect("the folder can be created");
     for k in 0..10_000 {
-        fs::write(folder.join(format!("class/Ada/more/{k}")), "").expect("a file");
+        fs::write(folder.join(format!("class/Ada/more/{k}")), "").expect("the file can be written");
     }
     let runs: [&[&str]; 2] = [&["--in", "class"], &["--in", "class/Ada/more"]];
     assert_locked("many_entries", runs.map(|arguments| run_check(&folder, arguments)));
@@ -164,11 +165,11 @@ fn folders_with_too_many_entries_are_reported() {
 
 /// Returns the names and texts of all files in a folder.
 fn read_folder(folder: &Path) -> Vec<(String, String)> {
-    let entries = fs::read_dir(folder).expect("a folder").flatten();
+    let entries = fs::read_dir(folder).expect("the folder can be read").flatten();
     let mut files: Vec<_> = entries
         .map(|entry| {
             let name = entry.file_name().to_string_lossy().into_owned();
-            (name, fs::read_to_string(entry.path()).expect("a text"))
+            (name, fs::read_to_string(entry.path()).expect("the file is a text"))
         })
         .collect();
     files.sort();
@@ -211,7 +212,7 @@ fn scene_sheets_are_as_locked() {
         let (_, text) = run_check(&folder, &["--names", names, "--out", out]);
         assert!(text.starts_with("[exit code 2, standard error]"), "{text}");
     }
-    let entries = fs::read_dir(&folder).expect("a folder").flatten();
+    let entries = fs::read_dir(&folder).expect("the folder can be read").flatten();
     let mut names: Vec<_> = entries.map(|entry| entry.file_name()).collect();
     names.sort();
     let expected = [

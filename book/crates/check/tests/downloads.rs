@@ -1,5 +1,6 @@
-//! Made-up downloads from learning platforms, already unpacked. The shell commands on the page for
-//! teachers turn each of them into one folder per student.
+//! Tests the reports on made-up downloads from learning platforms. The downloads are already
+//! unpacked. The shell commands on the page for teachers turn each download into one folder per
+//! student.
 
 use crate::program::{run_check, write_files};
 use crate::{
@@ -11,25 +12,28 @@ use std::fs;
 use std::path::Path;
 use std::process::Command;
 
-/// Returns the shell commands below the paragraph that contains `phrase` on the page for teachers.
+/// Finds the paragraph that contains `phrase` on the page for teachers, and returns the shell
+/// commands below this paragraph.
 fn read_commands_for_teachers(phrase: &str) -> String {
     let path = workspace().join("book/src/teaching.md");
-    let page = fs::read_to_string(path).expect("the page for teachers").replace('\r', "");
-    let (_, below) = page.split_once(phrase).expect("the paragraph");
-    let (_, below) = below.split_once("\n```sh\n").expect("a listing of shell commands");
-    below.split_once("\n```\n").expect("the end of the listing").0.to_owned()
+    let page =
+        fs::read_to_string(path).expect("the page for teachers can be read").replace('\r', "");
+    let (_, below) = page.split_once(phrase).expect("the page contains the phrase");
+    let (_, below) = below.split_once("\n```sh\n").expect("shell commands follow");
+    below.split_once("\n```\n").expect("the shell commands end").0.to_owned()
 }
 
 /// Runs shell commands in a folder. Panics if they fail or print errors.
 fn run_shell(folder: &Path, commands: &str) {
     let mut shell = Command::new("sh");
-    let output = shell.args(["-ec", commands]).current_dir(folder).output().expect("sh runs");
+    let output =
+        shell.args(["-ec", commands]).current_dir(folder).output().expect("`sh` can be run");
     let errors = String::from_utf8_lossy(&output.stderr);
     assert!(output.status.success() && errors.is_empty(), "{commands}\n{errors}");
 }
 
-/// Turns the files of a download into folders, using the shell commands for its platform, and
-/// returns the report on the folders.
+/// Runs the shell commands for a platform on a download from that platform. Returns the report on
+/// the resulting folders.
 fn report_on_download<const COUNT: usize>(
     platform: &str,
     phrase: &str,
@@ -37,7 +41,7 @@ fn report_on_download<const COUNT: usize>(
 ) -> TitledAnswer {
     let folder = create_empty_folder(&format!("download of {platform}"));
     let download = folder.join("a download");
-    fs::create_dir_all(&download).expect("a folder");
+    fs::create_dir_all(&download).expect("the folder can be created");
     write_files(&download, files);
     run_shell(&download, &read_commands_for_teachers(phrase));
     run_shell(&download, &read_commands_for_teachers("**a Mac** leaves"));
@@ -74,8 +78,8 @@ fn submitted_files() -> SubmittedFiles {
 
 const FOLDERS: &str = "**Moodle, D2L Brightspace, Gradescope and GitHub**";
 
-/// About two dozen students submit files on seven platforms. Every picture is either right, or named
-/// in the report, so that the teacher looks at it.
+/// About two dozen students submit files on seven platforms. The report says that a picture is
+/// right, or else it names the picture, so that the teacher looks at it.
 #[test]
 fn made_up_downloads_are_reported_as_locked() {
     let SubmittedFiles { rays, sphere, flipped, bgr, small, jpeg, text } = submitted_files();

@@ -1,5 +1,5 @@
-//! Answers about files in other formats, damaged files, and PNG files with features that the
-//! course's programs don't use.
+//! Locks answers about three kinds of files: files in other formats, damaged files, and PNG files
+//! with features that the course's programs don't use.
 
 use crate::{TitledAnswer, assert_locked, encode, format_answer, locked_picture};
 use check::check_png;
@@ -8,8 +8,8 @@ use course::{Step, camera_with_size};
 use image::{DynamicImage, RgbImage};
 use std::slice;
 
-/// Returns a copy of a PNG file whose header claims this size, whatever size the picture really
-/// has.
+/// Returns a copy of a PNG file with a header that claims this size, whatever size the picture
+/// really has.
 fn with_size_in_header(png: &[u8], columns: u32, rows: u32) -> Vec<u8> {
     let size = [columns, rows].map(u32::to_be_bytes).concat();
     let header = [&png[12..16], &size, &png[24..29]].concat();
@@ -17,15 +17,15 @@ fn with_size_in_header(png: &[u8], columns: u32, rows: u32) -> Vec<u8> {
     [&png[..12], &header, &sum, &png[33..]].concat()
 }
 
-/// Returns a PNG file of 640×360 pixels with a palette, 4 bits per pixel, all black.
+/// Returns a PNG file with 640×360 black pixels. It has a palette and 4 bits per pixel.
 fn png_with_palette() -> Vec<u8> {
     let mut file = vec![];
     let mut encoder = png::Encoder::new(&mut file, 640, 360);
     encoder.set_color(png::ColorType::Indexed);
     encoder.set_depth(png::BitDepth::Four);
     encoder.set_palette(vec![0; 3]);
-    let mut writer = encoder.write_header().expect("a header");
-    writer.write_image_data(&[0; 320 * 360]).expect("pixels");
+    let mut writer = encoder.write_header().expect("the header can be written");
+    writer.write_image_data(&[0; 320 * 360]).expect("the pixels can be written");
     drop(writer);
     file
 }
@@ -109,7 +109,7 @@ fn other_kinds_of_png_are_as_locked() {
     let still = encode(ours.clone());
     let with_chunks = |chunks: &[Vec<u8>]| [&still[..33], &chunks.concat(), &still[33..]].concat();
     let animation = png_chunk(b"acTL", &[0, 0, 0, 2, 0, 0, 0, 0]);
-    // A frame's chunk begins with its sequence number, 0, its size, 640×360, and its offset,
+    // The chunk of a frame begins with a sequence number of 0, a size of 640×360 and an offset of
     // (0, 0). The delay and the drawing mode follow.
     let frame = [0, 640, 360, 0, 0].map(u32::to_be_bytes).concat();
     let first_frame = png_chunk(b"fcTL", &[&frame[..], &[0, 1, 0, 10, 0, 0]].concat());

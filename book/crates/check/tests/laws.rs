@@ -1,4 +1,4 @@
-//! Properties that hold for all pictures and all files.
+//! Tests properties that hold for all pictures and all files.
 
 use crate::{check, encode, locked_file, locked_picture, map_locked};
 use check::{CheckError, ComparedPictures, Verdict, check_png};
@@ -28,7 +28,7 @@ fn only_equal_pictures_are_right() {
     let mut random = Rng::with_seed(0x5EED);
     for name in names_of_right_pictures().into_iter().step_by(11) {
         let answer = check_png(&locked_file(name), "my.png", Some(name), read_locked_picture);
-        assert_eq!(answer.expect("a picture").verdict, Verdict::Right, "{name}");
+        assert_eq!(answer.expect("the file can be checked").verdict, Verdict::Right, "{name}");
         let (place, bit) = ((random.u32(..640), random.u32(..360)), 1 << random.u8(..8));
         let change = |i, j, [r, g, b]: [u8; 3]| [r, if (i, j) == place { g ^ bit } else { g }, b];
         let answer = check(map_locked(name, change), name);
@@ -100,7 +100,7 @@ fn difference_is_drawn_only_of_a_wrong_picture_of_the_right_size() {
     let ours = locked_picture(step.name());
     let wrong = map_locked(step.name(), |_, _, [r, g, b]| [b, g, r]);
     let answer = check(wrong.clone(), step.name());
-    let difference = answer.draw_comparison().expect("a difference");
+    let difference = answer.draw_comparison().expect("the answer can draw the difference");
     assert_eq!(difference.dimensions(), (3 * 640, 360));
     assert_eq!(
         answer.compared_pictures,
@@ -114,5 +114,5 @@ fn difference_is_drawn_only_of_a_wrong_picture_of_the_right_size() {
     let mut transparent = DynamicImage::from(ours).into_rgba8();
     transparent[(9, 9)][3] = 0;
     let answer = check_png(&encode(transparent), "my.png", Some(step.name()), read_locked_picture);
-    assert_eq!(answer.expect("a picture").draw_comparison(), None);
+    assert_eq!(answer.expect("the file can be checked").draw_comparison(), None);
 }

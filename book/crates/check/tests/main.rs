@@ -1,5 +1,5 @@
-//! Tests what `check` says about every kind of picture that a reader may have. The answers are
-//! snapshots: review them as a reader would read them.
+//! Tests what `check` says about every kind of picture that a reader may have. The answers are in
+//! snapshots. When you review these, read the answers as a reader of the book would.
 
 mod class;
 #[cfg(unix)]
@@ -20,15 +20,15 @@ use std::io::Cursor;
 use std::path::PathBuf;
 use step01_rays::{Ray, render};
 
-/// A title, and what `check` says, as they stand in a snapshot.
+/// A title and an answer of `check`, in the form that a snapshot contains.
 type TitledAnswer = (String, String);
 
 fn locked_file(name: &str) -> Vec<u8> {
-    fs::read(locked_picture_path(name)).expect("a locked picture")
+    fs::read(locked_picture_path(name)).expect("the locked picture can be read")
 }
 
 fn locked_picture(name: &str) -> RgbImage {
-    read_locked_picture(name).expect("a locked picture")
+    read_locked_picture(name).expect("the locked picture can be read")
 }
 
 /// Returns the locked picture `name`, with each pixel changed according to its position and colour.
@@ -37,7 +37,7 @@ fn map_locked(name: &str, change: impl Fn(u32, u32, [u8; 3]) -> [u8; 3]) -> RgbI
     RgbImage::from_fn(640, 360, |i, j| Rgb(change(i, j, ours.get_pixel(i, j).0)))
 }
 
-/// Draws a function from rays to colours, as seen by the course's camera.
+/// Draws a picture with the course's camera. `colour` returns the colour of each ray.
 fn draw(colour: impl Fn(&Ray) -> DVec3 + Sync) -> RgbImage {
     render(&camera(), 1, colour)
 }
@@ -50,13 +50,13 @@ fn draw_named_scene(name: &str) -> RgbImage {
 
 fn encode(picture: impl Into<DynamicImage>) -> Vec<u8> {
     let mut png = Cursor::new(vec![]);
-    picture.into().write_to(&mut png, ImageFormat::Png).expect("a picture");
+    picture.into().write_to(&mut png, ImageFormat::Png).expect("the picture can be encoded");
     png.into_inner()
 }
 
 fn check(picture: RgbImage, name: &str) -> Answer {
     let answer = check_png(&encode(picture), "my.png", Some(name), read_locked_picture);
-    answer.expect("a picture")
+    answer.expect("the file can be checked")
 }
 
 /// Formats an answer for a snapshot.
@@ -66,12 +66,12 @@ fn format_answer(result: Result<Answer, CheckError>) -> String {
         Err(error) => return format!("[error]\n{error}"),
     };
     let text = answer.to_string();
-    assert!(text.lines().count() <= 12, "an answer of more than 12 lines:\n{text}");
+    assert!(text.lines().count() <= 12, "the answer has more than 12 lines:\n{text}");
     let causes: String = answer.causes.iter().map(|cause| format!("\n[{cause}]")).collect();
     format!("[{}]\n{text}{causes}", answer.verdict.words())
 }
 
-/// Compares answers, each below its title, with the snapshot `name`.
+/// Compares answers with the snapshot `name`. In the snapshot, each answer follows its title.
 #[track_caller]
 fn assert_locked(name: &str, answers: impl IntoIterator<Item = TitledAnswer>) {
     let answers = answers.into_iter();
@@ -84,6 +84,6 @@ fn assert_locked(name: &str, answers: impl IntoIterator<Item = TitledAnswer>) {
 fn create_empty_folder(test: &str) -> PathBuf {
     let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(test);
     let _ = fs::remove_dir_all(&folder);
-    fs::create_dir_all(&folder).expect("a folder in the target folder");
+    fs::create_dir_all(&folder).expect("the folder can be created");
     folder
 }

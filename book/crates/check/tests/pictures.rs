@@ -1,5 +1,9 @@
-//! Answers about pictures: ours as a whole, ours with one change, pictures with mistakes that
-//! aren't listed, and scenes generated from names.
+//! Locks answers about several kinds of pictures:
+//!
+//! - our whole picture, for instance upside down or enlarged
+//! - our picture with one change
+//! - pictures that come from mistakes that aren't listed
+//! - scenes that are generated from names
 
 use crate::{
     assert_locked, check, draw, draw_named_scene, encode, format_answer, locked_picture, map_locked,

@@ -12,13 +12,13 @@ use std::process::{Command, Output};
 /// code and all output.
 pub fn run_check(folder: &Path, arguments: &[&str]) -> TitledAnswer {
     let mut command = Command::new(env!("CARGO_BIN_EXE_check"));
-    let output = command.current_dir(folder).args(arguments).output().expect("check runs");
+    let output = command.current_dir(folder).args(arguments).output().expect("`check` can be run");
     let Output { status, stdout, stderr } = output;
     let [out, error] = [stdout, stderr].map(|text| String::from_utf8_lossy(&text).into_owned());
     let code = status.code().unwrap_or(-1);
     let stream = if error.is_empty() { "" } else { ", standard error" };
     let text = format!("[exit code {code}{stream}]\n{out}{error}");
-    // A path follows, which differs between machines.
+    // Cut off the path after `side by side:`, which differs between machines.
     let text = text.split_inclusive("side by side:").next().unwrap_or_default();
     (format!("check {}", arguments.join(" ")), text.to_owned())
 }
@@ -27,8 +27,9 @@ pub fn run_check(folder: &Path, arguments: &[&str]) -> TitledAnswer {
 pub fn write_files<const COUNT: usize>(folder: &Path, files: [(&str, Vec<u8>); COUNT]) {
     for (file, bytes) in files {
         let path = folder.join(file);
-        fs::create_dir_all(path.parent().expect("a folder")).expect("a folder");
-        fs::write(path, bytes).expect("a file");
+        fs::create_dir_all(path.parent().expect("the file is in a folder"))
+            .expect("the folder can be created");
+        fs::write(path, bytes).expect("the file can be written");
     }
 }
 

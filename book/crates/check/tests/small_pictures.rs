@@ -1,6 +1,6 @@
-//! Answers about small pictures, since many of them can be checked in a short time. For each
-//! sentence about wrong pixels, one picture just meets the sentence's condition, and another just
-//! misses it.
+//! Locks answers about small pictures, because many of these can be checked in a short time. For
+//! each sentence about wrong pixels, one picture just meets the sentence's condition, and another
+//! picture just misses it.
 
 use crate::{assert_locked, encode, format_answer};
 use check::check_png;
@@ -21,7 +21,7 @@ fn draw_small(name: &str) -> Result<RgbImage, String> {
 }
 
 fn draw_small_step(step: Step) -> RgbImage {
-    draw_small(step.name()).expect("a picture")
+    draw_small(step.name()).expect("each step has a picture")
 }
 
 /// Returns the picture of a step, with each pixel changed according to its position and colour.
@@ -30,13 +30,13 @@ fn map_small(step: Step, change: impl Fn(u32, u32, [u8; 3]) -> [u8; 3]) -> RgbIm
     RgbImage::from_fn(COLUMNS, ROWS, |i, j| Rgb(change(i, j, ours[(i, j)].0)))
 }
 
-/// Draws a function from rays to colours, at the small size.
+/// Draws a small picture. `colour` returns the colour of each ray.
 fn draw(colour: impl Fn(&Ray) -> DVec3) -> RgbImage {
     let camera = camera_with_size(COLUMNS, ROWS);
     RgbImage::from_fn(COLUMNS, ROWS, |i, j| rgb8(colour(&camera.ray(i.into(), j.into()))))
 }
 
-/// Compares the answers about these pictures with the snapshot `name`, except for the end of each
+/// Compares the answers about these pictures with the snapshot `name`. Leaves out the end of each
 /// answer, which names `by_hand` tests and a pixel.
 #[track_caller]
 fn assert_small_locked(name: &str, rows: impl IntoIterator<Item = (&'static str, Step, RgbImage)>) {
@@ -68,7 +68,8 @@ fn facts_of_small_pictures_are_as_locked() {
         let sky = draw_small_step(Rays);
         map_small(Phong, move |i, j, ours| if ours == sky[(i, j)].0 { ours } else { change(ours) })
     };
-    // Changes this many pixels of the red sphere: five show the sky and the others a wrong colour.
+    // Changes `count` pixels of the red sphere. Five of them show the sky, and the others have a
+    // wrong colour.
     let few_show_the_sky = |count: usize| {
         let (mut picture, sky) = (draw_small_step(Nearest), draw_small_step(Rays));
         let red = picture.enumerate_pixels().filter(|(_, _, colour)| colour.0 == [232, 87, 71]);
@@ -81,7 +82,7 @@ fn facts_of_small_pictures_are_as_locked() {
     assert_small_locked(
         "small_facts",
         [
-            // Bytes.
+            // These pictures have wrong bytes.
             ("our red", Nearest, map_small(Nearest, grey(0))),
             ("our green", Nearest, map_small(Nearest, grey(1))),
             ("our blue", Nearest, map_small(Nearest, grey(2))),
@@ -147,7 +148,8 @@ fn facts_of_small_pictures_are_as_locked() {
                 Nearest,
                 map_small(Nearest, |i, j, c| if j < 10 { [9, 9, (i % 2) as u8] } else { c }),
             ),
-            // Pictures in which each byte is a function of our intensity, or of our byte, alone.
+            // In these pictures, each byte depends only on our intensity or only on our byte, or
+            // almost does.
             ("falling bytes", Phong, map_small(Phong, |_, _, c| c.map(|b| 255 - b))),
             ("falling bytes", Rays, map_small(Rays, |_, _, c| c.map(|b| 255 - b))),
             ("half", Sphere, map_small(Sphere, |_, _, c| c.map(|b| b / 2))),
@@ -204,7 +206,7 @@ fn facts_of_small_pictures_are_as_locked() {
                 Phong,
                 map_small(Phong, |i, _, c| c.map(|b| if b == 255 && i % 2 == 0 { 0 } else { b })),
             ),
-            // Light.
+            // These pictures have wrong light.
             ("without ambient", Phong, lit(|[_, b, c, d, e]| b + c + d + e)),
             ("without warm diffuse", Phong, lit(|[a, _, c, d, e]| a + c + d + e)),
             ("without cool diffuse", Phong, lit(|[a, b, _, d, e]| a + b + d + e)),
@@ -232,7 +234,7 @@ fn facts_of_small_pictures_are_as_locked() {
                     |i, j, c| if c[0] == 255 || (i, j) == (0, 0) { [1, c[1], c[2]] } else { c },
                 ),
             ),
-            // Regions.
+            // These pictures have wrong regions.
             (
                 "first object alone",
                 Nearest,
