@@ -4,8 +4,8 @@ use course::{Mistake, Step, draw_with_difference, json};
 use image::RgbImage;
 use std::fmt::{self, Display, Formatter};
 
-/// The exit code if the arguments are wrong or nothing could be compared. [`Verdict::exit_code`] has
-/// the others.
+/// The exit code if the arguments are wrong or nothing could be compared. [`Verdict::exit_code`]
+/// returns the other exit codes.
 pub const FAILURE_EXIT_CODE: u8 = 2;
 
 /// The verdict on a picture that was compared with ours.
@@ -59,7 +59,7 @@ pub enum Cause {
 }
 
 impl Cause {
-    /// The step whose code contains the cause, if it is known.
+    /// The step whose code contains the cause, if that step is known.
     fn step(&self) -> Option<Step> {
         match self {
             Self::Mistake(mistake) => Some(mistake.step),
@@ -68,7 +68,8 @@ impl Cause {
         }
     }
 
-    /// The file that contains the cause, if it is known, as a path relative to the workspace root.
+    /// The file that contains the cause, if that file is known. The path is relative to the
+    /// workspace root.
     pub(crate) fn file(&self) -> Option<&str> {
         match self {
             Self::Mistake(mistake) => Some(&mistake.file),
@@ -95,7 +96,7 @@ impl Cause {
     }
 }
 
-/// Writes the description, followed by the file in parentheses if it is known.
+/// Writes the description. If the file is known, it follows in parentheses.
 impl Display for Cause {
     fn fmt(&self, f: &mut Formatter) -> fmt::Result {
         write!(f, "{}", self.description())?;
@@ -103,7 +104,7 @@ impl Display for Cause {
     }
 }
 
-/// A reader's picture and ours, of the same size.
+/// A reader's picture and ours, which have the same size.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ComparedPictures {
     /// The reader's picture.
@@ -112,12 +113,13 @@ pub struct ComparedPictures {
     pub ours: RgbImage,
 }
 
-/// Reasons to doubt that a right program drew a picture with other options.
+/// Reasons to doubt that a picture differs from ours only because of other options.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct OptionDoubts {
-    /// The listed mistakes that produce the same picture with the default options.
+    /// The listed mistakes with which a program draws the same picture, although it uses the
+    /// default options.
     pub mistakes: Vec<&'static Mistake>,
-    /// Whether the whole picture is one colour, which many options and mistakes produce.
+    /// Whether the whole picture is one colour. Many options and mistakes produce such a picture.
     pub is_one_colour: bool,
 }
 
@@ -130,17 +132,18 @@ pub struct Answer {
     pub file_notes: Vec<String>,
     /// The most helpful sentence.
     pub headline: String,
-    /// The lines after the headline, about six.
+    /// The lines after the headline. There are about six.
     pub details: Vec<String>,
     /// All changes we know of that reproduce this picture exactly.
     pub causes: Vec<Cause>,
-    /// Both pictures, if they have the same size and other options don't explain the difference.
+    /// Both pictures, if they differ but have the same size. None if other options explain the
+    /// difference.
     pub compared_pictures: Option<ComparedPictures>,
     pub(crate) option_doubts: OptionDoubts,
 }
 
 impl Answer {
-    /// An answer with nothing but a headline.
+    /// An answer that consists only of a verdict and a headline.
     #[cfg(test)]
     pub(crate) fn new(verdict: Verdict, headline: String) -> Self {
         Self {
@@ -154,10 +157,11 @@ impl Answer {
         }
     }
 
-    /// The lines of the text. The first has the verdict and the most important sentence.
+    /// Returns the answer as lines of text. The first line has the verdict and the most important
+    /// sentence.
     pub fn lines(&self) -> Vec<String> {
         let (notes, headline) = (&self.file_notes[..], &[self.headline.clone()][..]);
-        // An unusual file often explains a wrong picture, but only qualifies a right one.
+        // If the picture is wrong, the notes on the file often explain why, so they come first.
         let (first, second) = match self.verdict {
             Verdict::NotRight => (notes, headline),
             Verdict::Right | Verdict::OtherOptions => (headline, notes),
@@ -167,8 +171,8 @@ impl Answer {
         lines
     }
 
-    /// A summary for a row of a table: the notes on the file, and the headline unless the picture
-    /// is right.
+    /// A summary for a row of a table: the notes on the file and, unless the picture is right, the
+    /// headline.
     pub(crate) fn summary(&self) -> String {
         let headline = (self.verdict != Verdict::Right).then_some(&self.headline);
         let sentences: Vec<_> =
@@ -205,8 +209,8 @@ impl Display for Answer {
     }
 }
 
-/// Joins the first `max_items` items of a list. If there are more, the text ends in how many, such
-/// as `2 more`.
+/// Joins the first `max_items` items of a list. If the list is longer, the text ends in the number
+/// of the other items, such as `2 more`.
 pub(crate) fn join_first(mut items: Vec<String>, max_items: usize, separator: &str) -> String {
     let more = items.len().saturating_sub(max_items);
     items.truncate(max_items);

@@ -7,18 +7,18 @@ use course::Step;
 use std::collections::BTreeSet;
 use std::iter::zip;
 
-/// With fewer changed byte values than this, no sentence blames the conversion to bytes: a wrong
-/// colour could change as many.
+/// A sentence blames the conversion to bytes only if at least this many byte values have changed.
+/// If fewer have changed, a wrong colour could be the reason.
 const MIN_CHANGED_VALUES: usize = 16;
 
 /// The maximum number of bytes listed in one sentence.
 const MAX_BYTES: usize = 3;
 
-/// Pixels are tested for a curve in two rounds: first this many, then all of them.
+/// The number of pixels in a first test for a curve. If they pass it, all pixels are tested.
 const FIRST_PIXELS: usize = 500;
 
-/// Returns a sentence for each simple origin that the bytes of every wrong pixel may have: one
-/// channel of ours in all three bytes, or the colour of a neighbour in our picture.
+/// Returns sentences about what may have been copied into every wrong pixel: one of our channels
+/// into all three bytes, or the colour of a neighbour in our picture.
 pub(crate) fn channel_and_neighbour_sentences(comparison: &Comparison) -> Vec<String> {
     let mut sentences = vec![];
     let mut add_if = |words: &str, holds: &dyn Fn(&Pixel) -> bool| {
@@ -39,8 +39,8 @@ pub(crate) fn channel_and_neighbour_sentences(comparison: &Comparison) -> Vec<St
     sentences
 }
 
-/// Returns the positions of a pixel and of the pixels around it. Some of them may lie beyond the
-/// right or bottom edge of the picture.
+/// Returns the positions of a pixel and of the pixels around it. Some of these positions may lie
+/// beyond the right or bottom edge of the picture.
 fn neighbourhood_3x3((i, j): (u32, u32)) -> impl Iterator<Item = (u32, u32)> {
     let rows = j.saturating_sub(1)..=j + 1;
     rows.flat_map(move |row| (i.saturating_sub(1)..=i + 1).map(move |column| (column, row)))
@@ -53,8 +53,9 @@ pub(crate) fn one_colour_sentence(wrong: &[Pixel]) -> Option<String> {
     is_one.then(|| format!("Each wrong pixel is ({r}, {g}, {b})."))
 }
 
-/// Describes your bytes as a function of ours, if equal bytes of ours always became equal bytes of
-/// yours. Returns None otherwise, or if so few values changed that a wrong colour could explain it.
+/// Describes your bytes as a function of ours. Returns None if there is no such function, because
+/// equal bytes of ours became different bytes of yours. Also returns None if a wrong colour could
+/// be the reason, because few byte values changed, and only in the sky or only in the objects.
 pub(crate) fn byte_map_sentence(comparison: &Comparison, scene: &StepScene) -> Option<String> {
     let mut yours_of_ours = [None; 256];
     for Pixel { yours, ours, .. } in comparison.pixels() {
@@ -77,23 +78,23 @@ pub(crate) fn byte_map_sentence(comparison: &Comparison, scene: &StepScene) -> O
     Some(format!("Each byte depends only on ours: {examples}.{file}"))
 }
 
-/// Whether only the sky or only the objects differ. Then it may be their colours that are wrong,
-/// and not the conversion to bytes.
+/// Whether only the sky or only the objects differ. If so, their colours may be wrong instead of
+/// the conversion to bytes.
 fn only_sky_or_only_objects_differ(comparison: &Comparison, scene: &StepScene) -> bool {
     let wrong_sky = comparison.wrong.iter().filter(|pixel| pixel.hit.is_none()).count();
     scene.step > Step::Rays && [0, comparison.wrong.len()].contains(&wrong_sky)
 }
 
-/// Returns a sentence that names the files to compare. It is empty if fewer than
-/// `MIN_CHANGED_VALUES` byte values have changed. It is also empty in steps 1 and 2, since a wrong
-/// `direction_colour` looks the same there as a wrong conversion to bytes.
+/// Returns a sentence that names the files to compare. The sentence is empty if fewer than
+/// `MIN_CHANGED_VALUES` byte values have changed. It is also empty in steps 1 and 2, where a wrong
+/// `direction_colour` looks the same as a wrong conversion to bytes.
 fn sentence_on_files_to_compare(changed_count: usize, scene: &StepScene) -> &'static str {
     let is_known = changed_count >= MIN_CHANGED_VALUES && scene.step > Step::Sphere;
     if is_known { " Compare rgb8.rs and the mean in render.rs of step 1." } else { "" }
 }
 
-/// Describes your bytes as a function of our intensities. Returns None unless this function is
-/// monotonic. Also returns None if only the sky or only the objects differ.
+/// Describes your bytes as a monotonic function of our intensities. Returns None if there is no
+/// such function, or if only the sky or only the objects differ.
 pub(crate) fn byte_curve_sentence(comparison: &Comparison, scene: &StepScene) -> Option<String> {
     if only_sky_or_only_objects_differ(comparison, scene) {
         return None;
@@ -111,8 +112,8 @@ pub(crate) fn byte_curve_sentence(comparison: &Comparison, scene: &StepScene) ->
     Some(format!("Each byte depends only on our intensity: {}.{file}", clauses.join(", ")))
 }
 
-/// Returns the intensities of these pixels in ascending order, each with your byte and ours.
-/// Returns None unless your bytes are a monotonic function of the intensity.
+/// Returns all intensities of these pixels in ascending order, each with your byte and ours.
+/// Returns None unless your bytes are a monotonic function of the intensities.
 fn sorted_curve<'a>(
     pixels: impl Iterator<Item = &'a Pixel>,
     scene: &StepScene,

@@ -1,9 +1,9 @@
 //! Finds cameras other than ours that reproduce the reader's picture.
 //!
-//! We first try cameras with a wrong formula that somebody may have written. If none of them fits,
-//! we change a single number in D_u, D_v or V_0, and find out from the sky what its value may be:
-//! if a ray hits nothing, its red is 0.7 + 0.3 V_x and its green 0.7 + 0.3 V_y. Since
-//! V = D_u i + D_v j + V_0, each byte of the sky confines the number to an interval.
+//! We first try cameras with wrong formulas that somebody may have written. If none of these
+//! cameras fits, we change a single number in D_u, D_v or V_0. The sky tells us which values this
+//! number may have. A ray that hits nothing has the red 0.7 + 0.3 V_x and the green 0.7 + 0.3 V_y,
+//! where V = D_u i + D_v j + V_0. So each byte of the sky confines the number to an interval.
 
 use crate::comparison::{Budget, Comparison, Pixel};
 use crate::number_format::with_minus;
@@ -12,7 +12,8 @@ use course::{PICTURE_ROWS, Step, camera};
 use std::ops::RangeInclusive;
 use step01_rays::Camera;
 
-/// One of six numbers in the camera's matrix: x or y of D_u, D_v or V_0.
+/// One of six numbers in the camera's matrix: the x and the y of each of the vectors D_u, D_v and
+/// V_0.
 #[derive(Clone, Copy)]
 struct MatrixNumber {
     column: usize,
@@ -72,8 +73,8 @@ impl MatrixNumber {
     }
 }
 
-/// Returns the cameras that result from plausible wrong formulas for one number, or for the height
-/// of the view. Each comes with a description of the formula.
+/// Returns cameras with a plausible mistake in the formula for one number, or for the height of the
+/// view. Each camera comes with a description of the wrong formula.
 fn cameras_with_wrong_formulas() -> Vec<(Camera, String)> {
     let ours = camera();
     let tan = -ours.matrix.z_axis.x;
@@ -119,10 +120,10 @@ fn cameras_with_wrong_formulas() -> Vec<(Camera, String)> {
     cameras
 }
 
-/// Returns candidates for the value of a number, those with the fewest digits first. Each of them
-/// reproduces the sky, as does every value in some interval, so the caller has to test the
-/// candidates on the objects, too. If our own value reproduces the sky, there are no candidates,
-/// since the number isn't the cause.
+/// Returns candidates for the value of a number, those with the fewest digits first. All values in
+/// a certain interval reproduce the sky, and the candidates come from this interval. The caller
+/// still has to test them on the objects. If our own value is in the interval, returns no
+/// candidates, since then the number isn't the cause.
 fn values_from_sky(comparison: &Comparison, scene: &StepScene, number: MatrixNumber) -> Vec<f64> {
     let Some(bounds) = bound_by_sky(comparison, scene, number) else { return vec![] };
     let (ours, matrix) = (number.our_value(), camera().matrix);
@@ -130,8 +131,12 @@ fn values_from_sky(comparison: &Comparison, scene: &StepScene, number: MatrixNum
         return vec![];
     }
     // Each candidate is a start plus a round multiple of a unit. The three pairs of start and unit
-    // give a round number, a round multiple of our number, and our number shifted by a round number
-    // of pixels: from one pixel to the next, x changes by the x of D_u, and y by the y of D_v.
+    // give these candidates:
+    //
+    // - a round number
+    // - a round multiple of our number
+    // - our number shifted by a round number of pixels (from one pixel to the next, x changes by
+    //   the x of D_u, and y by the y of D_v)
     let pixel_steps = [matrix.x_axis.x, matrix.y_axis.y];
     let pixel_step = if number.column == 2 { pixel_steps[number.row] } else { ours };
     let starts_and_units = [(0.0, 1.0), (0.0, ours), (ours, pixel_step)];
@@ -142,12 +147,12 @@ fn values_from_sky(comparison: &Comparison, scene: &StepScene, number: MatrixNum
             .map(|(start, unit)| start + ((middle - start) / unit * scale).round() / scale * unit)
     });
     let candidates = round_values.chain([middle]).filter(|value| bounds.contains(value));
-    // Try the rounded number, since that is what the answer reports.
+    // Round the candidates, because the answer reports rounded numbers.
     candidates.map(|value| (value * 1e12).round() / 1e12).collect()
 }
 
-/// Returns the interval of values for a number that reproduce every sky pixel, in the channel that
-/// depends on the number. Returns None if there is no such value.
+/// Finds the values of a number that reproduce the sky in the channel that depends on the number.
+/// Returns the interval of these values, or None if there are none.
 fn bound_by_sky(
     comparison: &Comparison,
     scene: &StepScene,
@@ -155,9 +160,14 @@ fn bound_by_sky(
 ) -> Option<RangeInclusive<f64>> {
     let matrix = camera().matrix;
     let (mut start, mut end) = (f64::NEG_INFINITY, f64::INFINITY);
-    // A pixel counts as sky if our picture shows the sky there, and your pixel has a blue of 255
-    // and our byte in the channel that doesn't depend on the number. From step 4 on, a highlight
-    // might pass for sky, so we look only at the upper third, which hardly has any highlights.
+    // A pixel counts as sky on three conditions:
+    //
+    // - Our picture shows the sky there.
+    // - The blue of your pixel is 255.
+    // - In the channel that doesn't depend on the number, your byte equals ours.
+    //
+    // From step 4 on, a highlight might pass for sky, so we look only at the upper third of the
+    // picture, where there are hardly any highlights.
     let rows = if scene.step < Step::Diffuse { 0..PICTURE_ROWS } else { 0..PICTURE_ROWS / 3 };
     let is_sky = |pixel: &&Pixel| {
         let Pixel { yours, ours, hit, .. } = pixel;
@@ -200,22 +210,22 @@ mod tests {
 
     fn bounds(yours: &RgbImage, number: MatrixNumber) -> Option<RangeInclusive<f64>> {
         let target = target();
-        let scene = target.scene.as_ref().expect("a step");
-        let comparison = Comparison::new(&target, yours).expect("a different picture");
+        let scene = target.scene.as_ref().expect("a step has a scene");
+        let comparison = Comparison::new(&target, yours).expect("the pictures differ");
         bound_by_sky(&comparison, scene, number)
     }
 
     #[test]
     fn number_in_each_column_is_found_from_the_sky() {
         let target = target();
-        let scene = target.scene.as_ref().expect("a step");
+        let scene = target.scene.as_ref().expect("a step has a scene");
         for (number, value, words) in [
             (D_U, 0.0017, "x of D_u = 0.0017 instead of 0.001807"),
             (D_V, -0.002, "y of D_v = −0.002 instead of −0.001807"),
             (V_0, 0.3, "y of V_0 = 0.3 instead of 0.324364"),
         ] {
             let yours = picture(&number.camera_with(value), 1);
-            let comparison = Comparison::new(&target, &yours).expect("a different picture");
+            let comparison = Comparison::new(&target, &yours).expect("the pictures differ");
             let cameras = find_cameras(&comparison, scene, &Budget::new(10_000_000));
             assert_eq!(cameras, [words, "other colours of the directions"]);
         }
@@ -224,7 +234,7 @@ mod tests {
     #[test]
     fn no_number_fits_a_byte_on_which_it_has_no_influence() {
         let mut yours = picture(&D_U.camera_with(0.0017), 1);
-        let range = bounds(&yours, D_U).expect("a range");
+        let range = bounds(&yours, D_U).expect("some values reproduce the sky");
         assert!(range.contains(&0.0017) && !range.contains(&D_U.our_value()), "{range:?}");
         // In column 0, V doesn't depend on D_u.
         yours[(0, 5)][0] += 1;
@@ -241,7 +251,7 @@ mod tests {
     #[test]
     fn clamped_bytes_and_other_channels_bound_nothing() {
         let ours = picture(&camera(), 1);
-        // Every red byte is clamped, so any number would do.
+        // Every red byte is clamped, so any value of D_u would do.
         let white = RgbImage::from_fn(640, 360, |i, j| [255, ours[(i, j)][1], 255].into());
         assert_eq!(bounds(&white, D_U), Some(f64::NEG_INFINITY..=f64::INFINITY));
         // Green is wrong, too, so D_u can't be the only cause.
@@ -249,12 +259,13 @@ mod tests {
         assert_eq!(bounds(&green, D_U), Some(f64::NEG_INFINITY..=f64::INFINITY));
     }
 
-    /// Runs `find_cameras` on the picture of step 3, drawn by our camera with one number changed.
+    /// Changes one number of our camera, draws the picture of step 3, and runs `find_cameras` on
+    /// this picture.
     fn cameras_of_step_3(number: MatrixNumber, value: f64) -> Vec<String> {
         let target = Target::of_locked("step03_nearest", step03_nearest::picture(&camera(), 1));
-        let scene = target.scene.as_ref().expect("a step");
+        let scene = target.scene.as_ref().expect("a step has a scene");
         let yours = step03_nearest::picture(&number.camera_with(value), 1);
-        let comparison = Comparison::new(&target, &yours).expect("a different picture");
+        let comparison = Comparison::new(&target, &yours).expect("the pictures differ");
         find_cameras(&comparison, scene, &Budget::new(10_000_000))
     }
 

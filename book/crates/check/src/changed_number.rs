@@ -5,8 +5,8 @@ use crate::number_format::{format_as_typed, with_minus};
 use crate::step_scene::StepScene;
 use course::{OwnScene, Owner, QUANTITIES, Quantity, TypedRange};
 
-/// Describes each change to a single number in the scene that reproduces the reader's picture
-/// exactly.
+/// Finds changes to a single number in the scene, and describes those that reproduce the reader's
+/// picture exactly.
 pub(crate) fn find_changed_numbers(
     comparison: &Comparison,
     scene: &StepScene,
@@ -51,7 +51,7 @@ pub(crate) fn owner_names(scene: &StepScene, owner: Owner) -> Vec<String> {
     }
 }
 
-/// Returns all numbers in the range that somebody may have typed, in ascending order.
+/// Returns the numbers in a range that somebody is likely to type, in ascending order.
 fn typed_numbers(
     TypedRange { range: [start, end], steps_per_unit, .. }: TypedRange,
 ) -> impl Iterator<Item = f64> {
@@ -59,8 +59,8 @@ fn typed_numbers(
     numerators.map(move |numerator| f64::from(numerator) / f64::from(steps_per_unit))
 }
 
-/// Formats a quantity as it is typed in Rust: `-2.5`, or `(1, -2.5, 0)`. `k` is the index of its
-/// owner, such as an object.
+/// Formats a quantity as it is typed in Rust: `-2.5`, or `(1, -2.5, 0)`. `k` is the index of the
+/// quantity's owner, such as an object.
 pub(crate) fn format_quantity(quantity: &Quantity, own: &OwnScene, k: usize) -> String {
     let numbers: Vec<_> = quantity.scalars.iter().map(|scalar| scalar.get(own, k)).collect();
     format_as_typed(&numbers)

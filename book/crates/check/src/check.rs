@@ -1,4 +1,4 @@
-//! `check` as a function from the bytes of a PNG file to an answer.
+//! Checks the bytes of a PNG file and returns an answer.
 
 use crate::explain::{Explanation, explain};
 use crate::png_file::{PngError, read_png};
@@ -16,7 +16,7 @@ pub enum CheckError {
     /// The file can't be read.
     #[error(transparent)]
     Read(#[from] ReadFileError),
-    /// The file isn't a PNG file that can be read.
+    /// The file isn't a readable PNG file.
     #[error("{file_name} {error}")]
     Png {
         /// The file name, escaped for a terminal.
@@ -24,7 +24,7 @@ pub enum CheckError {
         /// What is wrong with the file.
         error: PngError,
     },
-    /// Neither the file name nor the picture says which picture it should be.
+    /// Neither the file's name nor its pixels say which picture the file should contain.
     #[error(
         "nothing says which picture this should be; put its name into the file name, such as step02_sphere"
     )]
@@ -34,12 +34,16 @@ pub enum CheckError {
     NoRightPicture(Box<dyn error::Error + Send + Sync>),
 }
 
-/// Compares the picture in a PNG file with the locked picture `expected_name`. If that is None, the
-/// name is taken from the file name. Failing that, it is the name of the locked picture that equals
-/// this one, or else of the picture that a listed mistake turns into this one.
+/// Compares the picture in a PNG file with a locked picture. The name of the locked picture is the
+/// first of these that exists:
 ///
-/// `right_picture` loads the locked picture with a given name. Apart from that, this function reads
-/// nothing: no file, no argument, no clock.
+/// 1. `expected_name`
+/// 2. a name that occurs in `file_name`
+/// 3. the name of the locked picture that equals the picture in the file
+/// 4. the name of the locked picture that a listed mistake turns into the picture in the file
+///
+/// `right_picture` loads the locked picture with a given name. The rest of this function reads no
+/// files, no command-line arguments and no clock.
 pub fn check_png<E: Into<Box<dyn error::Error + Send + Sync>>>(
     png: &[u8],
     file_name: &str,
@@ -56,7 +60,7 @@ pub fn check_png<E: Into<Box<dyn error::Error + Send + Sync>>>(
     Ok(compare(yours, Target::of_locked(name, ours)))
 }
 
-/// Compares the picture in a PNG file with the scene that is generated from a name.
+/// Compares the picture in a PNG file with the picture of the scene that is generated from a name.
 pub fn check_scene_png(png: &[u8], file_name: &str, name: &str) -> Result<Answer, CheckError> {
     Ok(compare(decode(png, file_name)?, Target::of_scene(name)))
 }

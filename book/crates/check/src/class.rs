@@ -1,6 +1,6 @@
-//! Checks what a class has handed in: a folder that contains one folder per student. All pictures
-//! in a student's folder and its subfolders belong to that student. Nothing is inferred from the
-//! name of the folder. This module also writes the sheets that a class gets.
+//! Checks what a class has handed in, given a folder that contains one folder per student. All
+//! pictures in a student's folder and its subfolders belong to that student. Nothing is inferred
+//! from the name of a student's folder. This module also writes the sheets for a class.
 
 mod feedback;
 mod folder;
@@ -26,9 +26,10 @@ use crate::class::student::{StudentReport, check_student};
 use rayon::prelude::*;
 use std::path::Path;
 
-/// Reports on every picture in the students' folders. If there is a list of `names`, each is the
-/// full name of a folder, and the report says which folders are missing or not in the list. Only
-/// the `required` pictures count towards a student's points, or all pictures if none are required.
+/// Reports on every picture in the students' folders. If there is a list of `names`, each of them
+/// is the full name of a student's folder. The report then says which folders are missing, and
+/// which folders aren't in the list. Only the `required` pictures count towards a student's points.
+/// If no pictures are required, all pictures count.
 pub fn report_on_class(
     folder: &Path,
     names: Option<&[String]>,

@@ -1,5 +1,5 @@
-//! Compares a picture with ours pixel by pixel. A budget limits how many rays and pixels the search
-//! for an explanation may take.
+//! Compares a picture with ours pixel by pixel. The search for an explanation also has a budget,
+//! which limits how many rays it computes and how many pixels it compares.
 
 use crate::step_scene::ObjectHit;
 use crate::target::Target;
@@ -8,11 +8,11 @@ use image::{Rgb, RgbImage};
 use std::cell::Cell;
 use step01_rays::Ray;
 
-/// All pixels of a reader's picture, next to those of our picture, which has the same size.
+/// A reader's picture and ours, pixel by pixel. Both pictures have the same size.
 pub(crate) struct Comparison<'a> {
     pub target: &'a Target,
-    /// The pixels that differ, at least one. Their order is scattered, so that the first ones come
-    /// from all over the picture.
+    /// The pixels that differ, of which there is at least one. They are in a scattered order, so
+    /// that even the first few come from all over the picture.
     pub wrong: Vec<Pixel>,
     pub right: Vec<Pixel>,
     /// The wrong pixel with the largest difference.
@@ -26,8 +26,8 @@ pub(crate) struct Pixel {
     pub position: (u32, u32),
     /// The ray that our camera sends through the pixel.
     pub ray: Ray,
-    /// The hit that our picture shows there. It is None if our picture shows the sky, or if we have
-    /// no scene for it.
+    /// The hit that this pixel shows in our picture. None if the pixel shows the sky, or if we have
+    /// no scene for the picture.
     pub hit: Option<ObjectHit>,
     pub yours: [u8; 3],
     pub ours: [u8; 3],
@@ -62,8 +62,8 @@ impl<'a> Comparison<'a> {
         Some(Self { target, wrong, right, most_different })
     }
 
-    /// All pixels, wrong ones first. A proposed cause that doesn't explain the picture usually
-    /// fails at a wrong pixel, so it is soon ruled out.
+    /// All pixels, beginning with the wrong ones: these soon rule out most proposed causes that
+    /// don't explain the picture.
     pub fn pixels(&self) -> impl Iterator<Item = &Pixel> {
         self.wrong.iter().chain(&self.right)
     }
@@ -73,14 +73,14 @@ impl<'a> Comparison<'a> {
 /// picture.
 pub(crate) fn scattered_positions(size: (u32, u32)) -> impl Iterator<Item = (u32, u32)> {
     let (columns, count) = (u64::from(size.0), u64::from(size.0) * u64::from(size.1));
-    // 7919 is prime, so this stride visits every position unless it divides the count.
+    // 7919 is prime, so this stride visits every position unless 7919 divides the count.
     let stride = if count.is_multiple_of(7919) { 1 } else { 7919 };
     let index = move |n: u64| n * stride % count;
     (0..count).map(move |n| ((index(n) % columns) as u32, (index(n) / columns) as u32))
 }
 
 /// The number of rays that may still be computed, or of pixels that may still be compared. It
-/// limits the running time but, unlike a clock, gives the same result on every machine.
+/// limits the running time. Unlike a time limit, it leads to the same result on every machine.
 pub(crate) struct Budget(Cell<u32>);
 
 impl Budget {
@@ -103,8 +103,8 @@ impl Budget {
     /// Returns whether `condition` holds for every item. Testing an item costs `cost`. If the
     /// budget runs out, the result is false.
     ///
-    /// The first item for which `condition` doesn't hold moves to the front. It will probably
-    /// refute the next candidate as well, which then costs only one item.
+    /// The first item for which `condition` doesn't hold moves to the front. That item will
+    /// probably fail the caller's next condition as well, and then no other item has to be tested.
     pub fn holds_for_all<T>(
         &self,
         items: &mut [T],
@@ -131,7 +131,7 @@ mod tests {
         assert!(budget.spend(3) && !budget.is_spent());
         assert!(budget.spend(2) && budget.is_spent());
         assert!(!budget.spend(1));
-        // A cost above the budget spends all of it.
+        // A cost that exceeds the budget spends the whole budget.
         let budget = Budget::new(5);
         assert!(!budget.spend(6) && budget.is_spent());
     }
@@ -175,7 +175,7 @@ mod tests {
         let mut yours = ours;
         yours[(1, 2)] = Rgb([9, 8, 9]);
         yours[(3, 0)] = Rgb([9, 9, 19]);
-        let comparison = Comparison::new(&target, &yours).expect("a different picture");
+        let comparison = Comparison::new(&target, &yours).expect("the pictures differ");
         assert_eq!((comparison.wrong.len(), comparison.right.len()), (2, 10));
         assert_eq!(comparison.most_different.position, (3, 0));
         assert_eq!(comparison.most_different.largest_difference(), 10);

@@ -13,20 +13,23 @@ use step01_rays::rgb8;
 
 const MAX_FACTS: usize = 3;
 
-/// A sentence about every wrong pixel needs at least this many wrong pixels, with at least this
-/// many different colours in our picture. With fewer, too many sentences are true by chance.
+/// The minimum number of wrong pixels for a sentence about every wrong pixel. With fewer, too many
+/// sentences are true by chance.
 const MIN_PIXELS: usize = 16;
+
+/// The minimum number of different colours that the wrong pixels have in our picture, for a
+/// sentence about every wrong pixel.
 const MIN_COLOURS: usize = 4;
 
-/// Returns sentences that are true of the wrong pixels, strongest first. The last one says where
-/// these pixels are, unless we have no scene.
+/// Returns sentences that are true of the wrong pixels, strongest first. If we have a scene, the
+/// last sentence says where these pixels are.
 pub(crate) fn find_facts(comparison: &Comparison) -> Vec<String> {
     let scene = comparison.target.scene.as_ref();
     let regions = scene.map(|scene| count_regions(comparison, scene));
     let is_varied = is_varied(&comparison.wrong);
     let varied = scene.filter(|_| is_varied);
-    // White areas may also come from too much light, which a curve describes. So if a curve fits,
-    // we don't look for undrawn pixels.
+    // Too much light makes pixels white, too, and a curve describes it. So if a curve fits, we
+    // don't look for undrawn pixels.
     let curve = varied.and_then(|scene| {
         byte_curve_sentence(comparison, scene).or_else(|| byte_map_sentence(comparison, scene))
     });
@@ -51,19 +54,20 @@ pub(crate) fn find_facts(comparison: &Comparison) -> Vec<String> {
     facts
 }
 
-/// Whether there are enough wrong pixels, with enough different colours in our picture.
+/// Whether there are enough wrong pixels, and whether they have enough different colours in our
+/// picture.
 fn is_varied(wrong: &[Pixel]) -> bool {
     let colours: BTreeSet<[u8; 3]> = wrong.iter().map(|pixel| pixel.ours).collect();
     wrong.len() >= MIN_PIXELS && colours.len() >= MIN_COLOURS
 }
 
-/// Whether each pixel has an intensity in our picture that is too large for a byte.
+/// Whether, in our picture, each pixel has an intensity that is too large for a byte.
 fn exceed_byte_range(pixels: &[Pixel], scene: &StepScene) -> bool {
     pixels.iter().all(|pixel| scene.colour(&pixel.ray).max_element() > 1.0)
 }
 
-/// Names the light that is missing from every wrong pixel: the smallest set of terms that we have
-/// to leave out of our sum to get your colours. Returns None if there is no such set.
+/// Names the terms that are missing from every wrong pixel. They are the smallest set of terms such
+/// that our sum without them gives your colours. Returns None if there is no such set.
 fn missing_light_sentence(wrong: &[Pixel], scene: &StepScene) -> Option<String> {
     let light_terms = |term| scene.light_names.map(|light| format!("the {term} term of {light}"));
     let ambient = ["the ambient term".to_owned()];

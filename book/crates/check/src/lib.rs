@@ -1,32 +1,34 @@
-//! `check`: compares a reader's picture with the right one and, if they differ, works out why. In
+//! `check` compares a reader's picture with the right one and, if they differ, works out why. In
 //! names, comments and answers, *yours* is the reader's picture, and *ours* is the right one.
 //!
-//! Ours is a locked picture, or the picture of the scene that is generated from a name. It is part
-//! of a *target* (`target`), which also contains the scene and the step whose functions draw it
-//! (`step_scene`), unless it is the picture of an exercise. The [`Answer`] consists of a verdict, a
-//! headline, details and causes. It never claims more than is true of every pixel that it mentions.
-//! The modules `check` and `explain` try these explanations in turn:
+//! Our picture is either locked or drawn from a scene that is generated from a name. It is part of
+//! a *target* (`target`). Except for exercises, the target also contains the scene, and the step
+//! whose functions draw the scene (`step_scene`). The [`Answer`] consists of a verdict, a headline,
+//! details and causes. What it says about pixels is true of every pixel that it mentions. The
+//! modules `check` and `explain` look for these explanations:
 //!
-//! 1. The picture is **right**; or a right program draws it **with other options**
-//!    (`other_options`), in which case no code is blamed; or it is the right picture of a different
-//!    name.
-//! 2. It is our whole picture, **turned, cropped or enlarged** (`transformed`).
-//! 3. **Causes**: all changes we know of that reproduce every byte of the picture. Each is a listed
-//!    mistake (`reader_picture`), one different number in the scene (`changed_number`), or a
-//!    different camera (`camera_fit`). A change that we don't know of may reproduce it, too.
-//! 4. Failing all of these, **facts** (`facts`): pixels that were never drawn (`undrawn`),
-//!    sentences that are true of every wrong pixel (`byte_facts`) or of some of them, and which
-//!    objects are right and which are wrong (`regions`).
+//! 1. The picture is **right**.
+//! 2. A right program draws it **with other options** (`other_options`). Then no code is blamed.
+//! 3. It is the right picture for a **different name**.
+//! 4. It is our picture, but **turned, cropped or enlarged** (`transformed`).
+//! 5. **Causes**: all changes we know of that reproduce every byte of the picture. A cause is a
+//!    listed mistake (`reader_picture`), a single changed number in the scene (`changed_number`),
+//!    or a different camera (`camera_fit`). A change that we don't know of may reproduce the
+//!    picture, too.
+//! 6. If nothing else explains the picture, **facts** about the wrong pixels (`facts`). They say
+//!    whether these pixels were never drawn (`undrawn`), what their bytes have in common
+//!    (`byte_facts`), and which objects they belong to (`regions`).
 //!
-//! An answer about a wrong picture of the right size ends with two hints: which steps' `by_hand`
-//! tests to run, and one wrong pixel, with what our program computes there (`wrong_pixel`).
+//! An answer about a wrong picture of the right size also shows one wrong pixel (`wrong_pixel`).
+//! Except for exercises, it names the `by_hand` tests to run, and says what our program computes at
+//! this pixel.
 //!
-//! `check` also reports on a whole class, from a folder that contains a folder for each student
-//! (`class`). And for each name in a list, it writes a sheet with the numbers of the scene that is
-//! generated from this name (`class::scene_sheet`).
+//! `check` also reports on a whole class, given a folder that contains one folder per student
+//! (`class`). For a list of names, it writes sheets: each contains the numbers of the scene that is
+//! generated from one of these names (`class::scene_sheet`).
 //!
-//! A `Budget` limits how many of these explanations are tried. It counts rays and pixels instead of
-//! seconds, so the answer is the same on every machine. There is also a limit on how many bytes are
+//! A `Budget` limits how many explanations are tried. It counts rays and pixels instead of seconds,
+//! so that the answer is the same on every machine. There is also a limit on how many bytes are
 //! read from a file.
 
 mod answer;

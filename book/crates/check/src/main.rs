@@ -72,37 +72,38 @@ fn locked_name_parser() -> PossibleValuesParser {
     PossibleValuesParser::new(names_of_right_pictures())
 }
 
-/// An error of any task. The program only prints it.
+/// An error of any kind. The program only prints it.
 type AnyError = Box<dyn Error + Send + Sync>;
 
 /// What the program is asked to do.
 enum Task {
     /// `check FILE`: checks one picture.
     CheckFile { file: PathBuf, expected: ExpectedPicture },
-    /// `check`: checks the pictures of the course that are in the current folder. A picture that
-    /// is required is reported even if it is missing.
+    /// `check`: checks the pictures of the course that are in the current folder. Also reports the
+    /// `required` pictures that are missing.
     CheckFolder { required: Vec<&'static str> },
-    /// `check --in FOLDER`: checks the pictures of a class. With the students' names, also says
-    /// whose folder is missing.
+    /// `check --in FOLDER`: checks the pictures of a class. If the students' names are given, also
+    /// says whose folder is missing.
     ReportOnClass { folder: PathBuf, students: Option<Vec<String>>, required: Vec<&'static str> },
     /// `check --scene NAME`: prints the sheet for one name.
     PrintSheet { name: String, secret: Option<String> },
-    /// `check --names FILE --out FOLDER`, or with `--scene NAME` for one name: writes a sheet for
-    /// each name into a new folder, and the answers to their problems if they are asked for.
+    /// `check --names FILE --out FOLDER`: writes a sheet for each name into a new folder. If
+    /// `answers` is true, also writes the answers to the sheets' problems. With `--scene NAME`
+    /// instead of `--names FILE`, there is only one name.
     WriteSheets { names: Vec<String>, secret: Option<String>, answers: bool, folder: PathBuf },
 }
 
-/// The picture that a file should be.
+/// The picture that a file should contain.
 enum ExpectedPicture {
-    /// The locked picture with this name. If it is None, `check_png` works out the name.
+    /// The locked picture with this name. If the name is None, `check_png` works it out.
     Locked(Option<String>),
     /// The picture of the scene that is generated from this name.
     SceneFromName(String),
 }
 
 impl Task {
-    /// Returns the task that the arguments describe. Reads the file with the names of a class if
-    /// there is one.
+    /// Returns the task that the arguments describe. With `--names`, also reads the file with the
+    /// names.
     ///
     /// The arguments that select a task (a file, `--in`, `--out`) exclude each other, and clap has
     /// rejected every option that doesn't belong to the task.
@@ -129,7 +130,7 @@ impl Task {
     }
 }
 
-/// The output of the program if it succeeds.
+/// The program's output if its task succeeds.
 enum Output {
     /// The answer about one picture.
     Answer(Answer),
@@ -137,7 +138,7 @@ enum Output {
     ClassReport(ClassReport),
     /// The report on a reader's own pictures.
     OwnReport(OwnReport),
-    /// A sheet, or the list of the files written.
+    /// A sheet, or a list of the files that were written.
     Text(String),
 }
 
@@ -187,7 +188,7 @@ fn main() -> ExitCode {
         Arguments { csv: true, .. } => OutputFormat::Csv,
         _ => OutputFormat::Plain,
     };
-    // Write errors are ignored: whatever reads our output may have closed the pipe.
+    // Ignore write errors: whatever reads our output may have closed the pipe.
     match run_on_threads(|| Task::from_arguments(arguments).and_then(run)) {
         Ok(output) => {
             let _ = writeln!(io::stdout(), "{}", output.format(format).trim_end());
@@ -240,7 +241,7 @@ fn run(task: Task) -> Result<Output, AnyError> {
     })
 }
 
-/// Returns the pictures given with `--require`, in the order of the locked pictures.
+/// Returns the names given with `--require`, in the order of `names_of_right_pictures`.
 fn required_names(require: &[String]) -> Vec<&'static str> {
     names_of_right_pictures()
         .into_iter()
@@ -248,7 +249,7 @@ fn required_names(require: &[String]) -> Vec<&'static str> {
         .collect()
 }
 
-/// Checks one picture. If there is a difference to show, saves a picture of it.
+/// Checks one picture. If the answer can draw the difference, saves a picture of the difference.
 fn check_file_and_save_difference(
     file: &Path,
     expected: &ExpectedPicture,
@@ -266,8 +267,8 @@ fn check_file_and_save_difference(
     Ok(answer)
 }
 
-/// Saves the picture of the difference in the target folder. Returns a line for the answer, which
-/// says where the picture is or why it can't be written.
+/// Saves the picture of the difference in the target folder. Returns a line to add to the answer.
+/// The line says where the picture is, or why it can't be written.
 fn save_difference(difference: &RgbImage, file: &Path) -> String {
     let folder = course::target_folder().join("check");
     let path = folder.join(file.with_extension("difference.png").file_name().unwrap_or_default());

@@ -15,7 +15,7 @@ pub(crate) fn format_vector_four_decimals(vector: DVec3) -> String {
     format!("({})", vector.to_array().map(format_four_decimals).join(", "))
 }
 
-/// Formats one number as `-2.5`, or several as `(1, -2.5, 0)`, as they are typed in Rust.
+/// Formats numbers as they are typed in Rust: one number as `-2.5`, several as `(1, -2.5, 0)`.
 pub(crate) fn format_as_typed(numbers: &[f64]) -> String {
     let texts: Vec<_> = numbers.iter().map(f64::to_string).collect();
     let list = texts.join(", ");

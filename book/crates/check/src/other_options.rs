@@ -13,29 +13,32 @@ use step01_rays::{Camera, mean_colour, rgb8, sub_pixel_offsets};
 const DEFAULT_SIZE: (u32, u32) = (PICTURE_COLUMNS, PICTURE_ROWS);
 
 /// The maximum number of rays for comparing a picture with one choice of options. All choices
-/// together may take twice as many.
+/// together may take twice this number.
 const MAX_RAYS: u32 = 1 << 23;
 
 /// The maximum number of rays for ruling out choices of options.
 const PROBE_RAYS: u32 = 6_000_000;
 
-/// The number of pixels that are compared first. They rule out most choices.
+/// The number of pixels that are compared first, since they rule out most choices of options.
 const PROBES: usize = 200;
 
 /// The allowance for rounding errors in a byte of the sky.
 const ROUNDING: f64 = 1e-6;
 
 /// If a pixel shows a single object, its mean colour differs from the colour at its centre by less
-/// than this, in units of a byte. That holds for pictures with at least `COARSE_COLUMNS` columns,
-/// in which a pixel covers only a small part of an object.
+/// than this, in units of a byte.
 const OBJECT_TOLERANCE: f64 = 64.0;
+
+/// In pictures with fewer columns than this, `OBJECT_TOLERANCE` doesn't hold, because a pixel may
+/// cover a large part of an object.
 const COARSE_COLUMNS: u32 = 64;
 
-/// A border pixel counts as sky if it is as blue as the sky. Among the bytes of these pixels, up to
-/// one in this many may belong to an object instead.
+/// A border pixel counts as sky if it is as blue as the sky. Some of these pixels may belong to an
+/// object nevertheless: among this many bytes, we allow for one byte of an object.
 const BYTES_PER_OBJECT_BYTE: i32 = 20;
 
-/// Angles with four decimals are tried only if the bounds on the angle differ by less than this.
+/// Angles with four decimals are tried only if the bounds on the angle are less than this many
+/// degrees apart.
 const MAX_DEGREES_FOR_FOUR_DECIMALS: f64 = 1.0;
 
 /// Options with which a right program draws the reader's picture.
@@ -45,19 +48,19 @@ pub(crate) struct Options {
     samples: u32,
     /// The number of pixels that were compared: all of them, unless that would take too many rays.
     compared_count: usize,
-    /// Whether the picture is one colour, which many options produce.
+    /// Whether the picture is one colour. Many options produce such a picture.
     is_one_colour: bool,
 }
 
 impl Options {
-    /// Whether somebody is likely to type this angle, since it has at most one decimal.
+    /// Whether the angle has at most one decimal, so that somebody is likely to type it.
     pub fn is_plain_angle(&self) -> bool {
         let tenths = 10.0 * self.fov_degrees;
         tenths == tenths.round()
     }
 
-    /// A sentence to follow the list of causes: a right program with these options gives the
-    /// reader's picture, too.
+    /// A sentence to follow the list of causes. It says that a right program with these options
+    /// gives the reader's picture, too.
     pub fn same_picture_sentence(&self) -> String {
         let (columns, rows) = self.size;
         let mut options = format!("--fov {}", self.fov_degrees);
@@ -76,13 +79,13 @@ impl Options {
         }
     }
 
-    /// Whether the picture is one colour, which many options produce.
+    /// Whether the picture is one colour. Many options produce such a picture.
     pub fn is_one_colour(&self) -> bool {
         self.is_one_colour
     }
 
-    /// A sentence about a picture that was drawn with these options. `title` is the phrase for our
-    /// picture, such as `the picture of glass`.
+    /// A sentence about a picture that was drawn with these options. `title` is a phrase that
+    /// stands for our picture, such as `the picture of glass`.
     pub fn headline(&self, title: &str) -> String {
         let ((columns, rows), samples) = (self.size, self.samples);
         let all = columns as usize * rows as usize;
@@ -102,8 +105,8 @@ impl Options {
         }
     }
 
-    /// The lines after the headline: our own options, and where to look if the reader used those,
-    /// too.
+    /// The lines after the headline. They say which options our picture is drawn with, and where to
+    /// look if the reader used the same options.
     pub fn advice() -> Vec<String> {
         vec![
             "Ours is drawn with the default options: --width 640 --aspect 16:9 --fov 60 --samples 1."
@@ -115,7 +118,7 @@ impl Options {
 }
 
 /// Finds the simplest options with which a right program draws this picture from a scene. Returns
-/// None if there are none, or if the search takes too many rays.
+/// None if there are no such options, or if the search takes too many rays.
 pub(crate) fn find_options(scene: &StepScene, yours: &RgbImage) -> Option<Options> {
     let size @ (columns, rows) = yours.dimensions();
     if columns < 2 {
@@ -158,8 +161,8 @@ fn plain_angles() -> impl Iterator<Item = f64> {
     iter::once(FOV_DEGREES).chain((1..180).map(f64::from)).chain(tenths)
 }
 
-/// Returns angles with two and three decimals that fit the upper half of a picture's border, if
-/// that shows the sky. If only a narrow range fits, angles with four decimals follow.
+/// Returns angles with two and three decimals that fit the sky in the upper half of a picture's
+/// border. If only a narrow range of angles fits, angles with four decimals follow.
 fn fine_angles_that_fit_border(yours: &RgbImage) -> impl Iterator<Item = f64> {
     let (columns, rows) = yours.dimensions();
     let side = f64::from(columns - 1);
@@ -192,9 +195,9 @@ fn fine_angles_that_fit_border(yours: &RgbImage) -> impl Iterator<Item = f64> {
     })
 }
 
-/// Returns the smallest and the largest number that lie in almost as many intervals as any number
-/// does. Almost as many are enough, because the pixels of a highlight that passes for sky add wrong
-/// intervals. If there are no intervals, returns 0 and infinity.
+/// Finds the numbers that lie in the most intervals, or in almost as many. Returns the smallest and
+/// the largest of these numbers. Almost as many are enough, because some intervals may be wrong: a
+/// highlight may pass for sky. If there are no intervals, returns 0 and infinity.
 fn find_common_bounds(intervals: &[(f64, f64)]) -> (f64, f64) {
     if intervals.is_empty() {
         return (0.0, f64::INFINITY);
@@ -202,8 +205,8 @@ fn find_common_bounds(intervals: &[(f64, f64)]) -> (f64, f64) {
     let starts = intervals.iter().map(|(start, _)| (*start, 1));
     let ends = intervals.iter().map(|(_, end)| (*end, -1));
     let mut changes: Vec<(f64, i32)> = starts.chain(ends).collect();
-    // Starts come before ends, since a number where one interval ends and another starts lies in
-    // both.
+    // Sort starts before ends, since a number at which one interval ends and another starts lies in
+    // both intervals.
     changes.sort_by(|a, b| a.0.total_cmp(&b.0).then(b.1.cmp(&a.1)));
     let counts: Vec<_> = changes
         .iter()
@@ -214,15 +217,15 @@ fn find_common_bounds(intervals: &[(f64, f64)]) -> (f64, f64) {
         .collect();
     let max_count = counts.iter().copied().max().unwrap_or(0);
     let is_enough = |count: &i32| *count >= max_count - max_count / BYTES_PER_OBJECT_BYTE;
-    // The last count that is large enough holds until the change after it, which is the end of an
+    // The last count that is large enough holds until the next change, which is the end of an
     // interval.
     let first = counts.iter().position(is_enough).unwrap_or(0);
     let last = counts.iter().rposition(is_enough).map_or(0, |k| k + 1);
     (changes[first].0, changes[last].0)
 }
 
-/// Returns positions on the border of a picture, starting at a corner. For most angles, the border
-/// shows the sky.
+/// Returns positions on the border of a picture, starting at a corner. With most angles of view,
+/// the border shows the sky.
 fn border_positions((columns, rows): (u32, u32)) -> impl Iterator<Item = (u32, u32)> {
     let downwards = (0..rows).step_by(rows.div_ceil(50) as usize);
     let across = (0..columns).step_by(columns.div_ceil(50) as usize);
@@ -230,10 +233,10 @@ fn border_positions((columns, rows): (u32, u32)) -> impl Iterator<Item = (u32, u
     sides.chain(across.flat_map(move |i| [(i, 0), (i, rows - 1)]))
 }
 
-/// Whether a pixel may be right for some number of samples. We compare it with the colour at its
-/// centre alone. The sky is linear, so its mean over a pixel equals that colour. Within an object,
-/// the mean is close to that colour if pixels are small. At an edge, the mean may be anything, so
-/// we accept every colour.
+/// Whether there may be a number of samples for which the pixel is right. We compute only the
+/// colour at the pixel's centre. In the sky, colours change linearly, so the mean over the pixel
+/// equals the colour at its centre. Within an object, the two are close if pixels are small. At an
+/// edge, the mean may be anything, so we accept every colour.
 fn may_be_right(scene: &StepScene, camera: &Camera, yours: &RgbImage, (i, j): (u32, u32)) -> bool {
     let (x, y) = (f64::from(i), f64::from(j));
     let seen_at = |(u, v)| scene.visible_hit(&camera.ray(x + u, y + v)).map(|hit| hit.object);
@@ -261,7 +264,7 @@ mod tests {
         assert_eq!(find_common_bounds(&[]), (0.0, f64::INFINITY));
         assert_eq!(find_common_bounds(&[(1.0, 3.0), (2.0, 4.0)]), (2.0, 3.0));
         assert_eq!(find_common_bounds(&[(1.0, 2.0), (2.0, 4.0)]), (2.0, 2.0));
-        // One interval in twenty-one may miss the bounds.
+        // One interval in twenty-one may lie outside of the bounds.
         let mut intervals = vec![(1.0, 2.0); 20];
         intervals.push((5.0, 6.0));
         assert_eq!(find_common_bounds(&intervals), (1.0, 2.0));

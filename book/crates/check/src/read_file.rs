@@ -1,4 +1,4 @@
-//! Reads files up to a maximum size, and only regular files.
+//! Reads regular files up to a maximum size.
 
 use crate::png_file::MAX_FILE_BYTES;
 use course::is_terminal_control;
@@ -38,7 +38,7 @@ pub enum ReadFileError {
     },
 }
 
-/// Reads a file, unless it is larger than the limit. A folder, a device or a pipe is never opened.
+/// Reads a file unless it is larger than the limit. Never opens a folder, a device or a pipe.
 pub fn read_bounded_file(file: &Path) -> Result<Vec<u8>, ReadFileError> {
     let path = escape_for_terminal(&file.display().to_string());
     match read_at_most(file, MAX_FILE_BYTES) {
@@ -68,8 +68,7 @@ fn read_at_most(path: &Path, max_bytes: u64) -> io::Result<FileContents> {
     Ok(if is_small { FileContents::Bytes(bytes) } else { FileContents::TooLarge })
 }
 
-/// Escapes the characters in a text that a terminal interprets, or that change the direction of
-/// writing.
+/// Escapes all characters that a terminal interprets, or that change the direction of writing.
 pub fn escape_for_terminal(text: &str) -> String {
     let escape = |c: char| match is_terminal_control(c) {
         true => c.escape_default().to_string(),
@@ -85,13 +84,17 @@ mod tests {
     #[test]
     fn only_a_file_within_the_limit_is_read() {
         let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("Cargo.toml");
-        let length = fs::metadata(&file).expect("a file").len();
-        let read = |path: &Path, max_bytes| read_at_most(path, max_bytes).expect("it can be read");
+        let length = fs::metadata(&file).expect("the file exists").len();
+        let read =
+            |path: &Path, max_bytes| read_at_most(path, max_bytes).expect("the path can be read");
         assert!(
             matches!(read(&file, length), FileContents::Bytes(bytes) if bytes.len() as u64 == length)
         );
         assert_eq!(read(&file, length - 1), FileContents::TooLarge);
-        assert_eq!(read(file.parent().expect("a folder"), length), FileContents::NotAFile);
+        assert_eq!(
+            read(file.parent().expect("the file is in a folder"), length),
+            FileContents::NotAFile
+        );
     }
 
     #[test]

@@ -5,8 +5,8 @@ use course::{Mistake, find_mistakes_with_hash, hash_picture, hashes_of_right_pic
 use image::RgbImage;
 use std::cell::OnceCell;
 
-/// The maximum number of pixels in a picture that is hashed. A larger one can't be in the table,
-/// whose pictures are drawn with the default options.
+/// The maximum number of pixels in a picture that we hash. Larger pictures can't be in the table of
+/// hashes, because the pictures in this table are drawn with the default options.
 const MAX_HASHED_PIXELS: usize = 1 << 20;
 
 /// A reader's picture, which is hashed at most once.
@@ -32,19 +32,19 @@ impl ReaderPicture {
         })
     }
 
-    /// Finds the locked picture that equals this one, and returns its name.
+    /// Returns the name of the locked picture that equals this picture.
     pub fn find_equal_locked_picture(&self) -> Option<&'static str> {
         let hash = self.hash()?;
         hashes_of_right_pictures().find(|(_, locked)| *locked == hash).map(|(name, _)| name)
     }
 
-    /// Finds the listed mistakes that produce this picture, likeliest first. Each comes with the
-    /// name of the picture that should have been drawn.
+    /// Finds the listed mistakes that produce this picture, likeliest first. Each mistake comes
+    /// with the name of the picture that should have been drawn.
     pub fn find_mistakes(&self) -> Vec<(&'static Mistake, &'static str)> {
         self.hash().map(find_mistakes_with_hash).unwrap_or_default()
     }
 
-    /// Finds the listed mistakes that produce this picture in place of the locked one called
+    /// Finds the listed mistakes that produce this picture instead of the locked picture
     /// `target_name`.
     pub fn find_mistakes_for_target(&self, target_name: &str) -> Vec<&'static Mistake> {
         let mistakes = self.find_mistakes().into_iter();

@@ -11,18 +11,18 @@ const MAX_REGIONS: usize = 3;
 /// The name of the region without objects.
 const SKY: &str = "the sky";
 
-/// The pixels where our picture shows the sky, or where it shows a certain object.
+/// The pixels that, in our picture, show the sky or a certain object.
 pub(crate) struct Region {
     name: String,
     pixel_count: usize,
     wrong_count: usize,
-    /// The number of wrong pixels that have the colour of something else on the same ray: the sky,
-    /// or an object behind this one.
+    /// The number of wrong pixels that show what lies behind the object on the same ray: the sky,
+    /// or another object.
     from_behind_count: usize,
 }
 
-/// Returns a region for the sky, followed by one for each object, with their pixels counted. What
-/// isn't visible in our picture is left out.
+/// Counts the pixels of each region. The sky comes first, then each object. Leaves out regions that
+/// aren't visible in our picture.
 pub(crate) fn count_regions(comparison: &Comparison, scene: &StepScene) -> Vec<Region> {
     let names = [vec![SKY.to_owned()], scene.object_names()].concat();
     let empty_region = |name| Region { name, pixel_count: 0, wrong_count: 0, from_behind_count: 0 };
@@ -41,9 +41,9 @@ pub(crate) fn count_regions(comparison: &Comparison, scene: &StepScene) -> Vec<R
     regions
 }
 
-/// Counts the wrong pixels that show what should be hidden behind an object, and names the objects
-/// that are missing from your picture. Returns None if no object is missing and only a few wrong
-/// pixels have such a colour, as may happen by chance.
+/// Says how many wrong pixels show what should be hidden behind an object, and names the objects
+/// that are missing from your picture. Returns None if no object is missing and if these wrong
+/// pixels are so few that they may have their colours by chance.
 pub(crate) fn colours_from_behind_sentence(regions: &[Region]) -> Option<String> {
     let from_behind: usize = regions.iter().map(|region| region.from_behind_count).sum();
     let wrong: usize = regions.iter().map(|region| region.wrong_count).sum();
@@ -62,7 +62,7 @@ pub(crate) fn colours_from_behind_sentence(regions: &[Region]) -> Option<String>
     Some(sentence + ".")
 }
 
-/// Names the regions with the most wrong pixels, and those that are right in every pixel.
+/// Names the regions with the most wrong pixels, and the regions that are right in every pixel.
 pub(crate) fn region_sentence(mut regions: Vec<Region>) -> String {
     regions.sort_by_key(|region| Reverse(region.wrong_count));
     let (wrong, right): (Vec<_>, Vec<_>) =

@@ -22,7 +22,7 @@ pub(crate) struct ObjectHit {
 }
 
 impl StepScene {
-    /// The scene of a step. Step 1 has no objects in it, and step 2 only the sphere.
+    /// The scene of a step. It has no objects in step 1, and only the sphere in step 2.
     pub fn of_step(step: Step) -> Self {
         let mut scene = step05_phong::scene();
         match step {
@@ -44,7 +44,7 @@ impl StepScene {
         Self { step: Step::Phong, own: OwnScene::new(generate_scene(name)), light_names }
     }
 
-    /// The names of the objects, with an article unless they end in a number.
+    /// The names of the objects. Names that don't end in a number get an article.
     pub fn object_names(&self) -> Vec<String> {
         let names = self.own.scene.objects.iter().map(|object| object.name);
         let has_number = |name: &str| name.ends_with(|c: char| c.is_numeric());
@@ -59,12 +59,12 @@ impl StepScene {
         hit.map_or_else(|| direction_colour(ray), |hit| self.colour_at_hit(ray, hit))
     }
 
-    /// The bytes of a pixel that sees the light along this ray.
+    /// The bytes of a pixel whose light arrives along this ray.
     pub fn bytes(&self, ray: &Ray) -> [u8; 3] {
         rgb8(self.colour(ray)).0
     }
 
-    /// The first hit on each object along a ray, even if another object hides it.
+    /// The first hit of a ray on each object, whether or not the hit is visible.
     pub fn object_hits(&self, ray: &Ray) -> impl Iterator<Item = ObjectHit> {
         self.own.scene.objects.iter().enumerate().filter_map(|(k, object)| {
             let t = object.sphere.intersect(ray).first_hit()?;
@@ -72,12 +72,12 @@ impl StepScene {
         })
     }
 
-    /// The nearest hit along a ray, on the object that the ray shows.
+    /// The nearest of all hits along a ray. It is the only visible hit.
     pub fn visible_hit(&self, ray: &Ray) -> Option<ObjectHit> {
         self.object_hits(ray).min_by(|a, b| a.t.total_cmp(&b.t))
     }
 
-    /// The intensity of an object at a hit, even if another object hides the hit.
+    /// The intensity of an object at a hit, whether or not the hit is visible.
     pub fn colour_at_hit(&self, ray: &Ray, hit: ObjectHit) -> DVec3 {
         match self.step < Step::Diffuse {
             true => self.own.scene.objects[hit.object].material.matte.diffuse,
@@ -85,8 +85,8 @@ impl StepScene {
         }
     }
 
-    /// The ambient term at a hit, and the sums of the other terms over all lights, even if another
-    /// object hides the hit.
+    /// The terms at a hit, whether or not the hit is visible. The diffuse term and the specular
+    /// term are sums over all lights.
     pub fn terms_at_hit(&self, ray: &Ray, hit: ObjectHit) -> Terms {
         let ambient = self.ambient_at_hit(hit);
         let mut terms = Terms { ambient, ..Terms::default() };
@@ -102,8 +102,8 @@ impl StepScene {
         ambient(&scene.objects[hit.object].material.matte, scene.ambient_light)
     }
 
-    /// One light's terms at a hit, even if another object hides the hit. Before step 5, the
-    /// specular term is zero.
+    /// One light's terms at a hit, whether or not the hit is visible. Before step 5, the specular
+    /// term is zero.
     pub fn light_terms_at_hit(&self, ray: &Ray, hit: ObjectHit, light: &Light) -> Terms {
         let object = &self.own.scene.objects[hit.object];
         let p = ray.at(hit.t);

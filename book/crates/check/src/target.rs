@@ -6,13 +6,14 @@ use course::{Step, camera};
 use image::RgbImage;
 use step01_rays::render;
 
-/// A right picture to compare with: a locked one, or that of the scene generated from a name.
+/// A right picture to compare with. It is either locked or drawn from a scene that is generated
+/// from a name.
 pub(crate) struct Target {
     /// The phrase that stands for the picture in a sentence, such as `the picture of glass`.
     pub title: String,
-    /// The name of the locked picture, or None if the scene was generated from a name.
+    /// The name of the locked picture. None if the picture isn't locked.
     pub name: Option<String>,
-    /// The scene and the step that draw the picture, or None for an exercise.
+    /// The scene, and the step that draws it. None if the picture belongs to an exercise.
     pub scene: Option<StepScene>,
     pub picture: RgbImage,
 }
@@ -38,8 +39,9 @@ pub(crate) fn scene_title(name: &str) -> String {
     format!("the scene of {}", escape_for_terminal(name))
 }
 
-/// Finds one of `names` in a file name, such as `step03_nearest.png`, `my_lens-2.png` or
-/// `step3.png`. If there are several, returns the longest.
+/// Finds one of `names` in a file name. Examples of file names are `step03_nearest.png`,
+/// `my_lens-2.png` and `step3.png`. If a file name contains several of the names, returns the
+/// longest of them.
 pub(crate) fn find_name_in_file_name<'a>(
     file_name: &str,
     names: impl Iterator<Item = &'a str> + Clone,
@@ -77,7 +79,7 @@ mod tests {
         assert_eq!(find("MyScene-2.png"), Some("my_scene"));
         assert_eq!(find("sunny.png"), None);
         assert_eq!(find("rings/picture.png"), None);
-        // Of several names, the longest is found.
+        // If the file name contains several names, the longest is found.
         assert_eq!(find("sun rings.png"), Some("rings"));
         assert_eq!(find("step4.png"), None);
     }

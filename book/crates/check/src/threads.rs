@@ -1,16 +1,17 @@
-//! The thread pool that draws.
+//! Starts the threads that draw.
 
 use rayon::ThreadPoolBuilder;
 use std::thread;
 
-/// Runs a function that may draw in parallel, with one thread per processor. If the system can't
-/// start threads, it runs on the current one.
+/// Runs a function in a pool with one thread per processor, so that the function can draw in
+/// parallel. If the system can't start threads, the function runs on the current thread.
 pub fn run_on_threads<T: Send>(act: impl FnOnce() -> T + Send) -> T {
     let count = thread::available_parallelism().map_or(1, usize::from);
     match ThreadPoolBuilder::new().num_threads(count).build() {
         Ok(threads) => threads.install(act),
         Err(_) => {
-            // This fails only if rayon already has a global pool. Then `act` uses that one.
+            // `build_global` fails only if rayon already has a global pool. Then `act` uses that
+            // pool.
             let _ = ThreadPoolBuilder::new().num_threads(1).use_current_thread().build_global();
             act()
         }

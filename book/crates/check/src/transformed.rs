@@ -1,16 +1,17 @@
-//! Recognises our whole picture even if it is turned, cropped or enlarged, or if its channels are
-//! swapped. Also recognises pictures of a single colour.
+//! Recognises our picture if it was turned, cropped or enlarged, or if its channels were swapped.
+//! Also recognises pictures of a single colour.
 
 use crate::comparison::{Budget, scattered_positions};
 use image::RgbImage;
 
-/// The maximum number of pixels that are compared to locate a part of our picture, and the minimum
-/// number of pixels in such a part.
+/// The maximum number of pixels to compare in the search for the corner of a part of our picture.
 const MAX_COMPARED_PIXELS: u32 = 1 << 26;
+
+/// The minimum number of pixels in a part of our picture. Smaller parts might match by chance.
 const MIN_PIXELS: usize = 100;
 
-/// Maps the position of a pixel in our picture to its position in the turned picture. The second
-/// argument is the last column and the last row of our picture.
+/// Maps a position in our picture to the position of the same pixel in the turned picture. The
+/// second argument consists of the last column and the last row of our picture.
 type Turn = fn((u32, u32), (u32, u32)) -> (u32, u32);
 
 const TURNS: [(&str, Turn); 6] = [
@@ -29,9 +30,9 @@ const CHANNEL_ORDERS: [(&str, [usize; 3]); 4] = [
     ("with green and blue exchanged", [0, 2, 1]),
 ];
 
-/// Describes a picture that is one colour, or that is ours turned, cropped, enlarged or with its
-/// channels swapped. Returns None for any other picture. `title` is the phrase for our picture,
-/// such as `the picture of glass`.
+/// Describes a picture if it is one colour, or if it is our picture turned, cropped, enlarged or
+/// with its channels swapped. Returns None for all other pictures. `title` is a phrase that stands
+/// for our picture, such as `the picture of glass`.
 pub(crate) fn describe_transformed_or_uniform(
     picture: &RgbImage,
     ours: &RgbImage,
@@ -48,17 +49,17 @@ pub(crate) fn describe_transformed_or_uniform(
     is_ours.then(|| format!("This is {title}, {}.", clauses.join(", or ")))
 }
 
-/// Returns the colour of the picture if all its pixels are the same.
+/// Returns the colour of the picture if all of its pixels have the same colour.
 pub(crate) fn uniform_colour(picture: &RgbImage) -> Option<[u8; 3]> {
     let first = picture.get_pixel_checked(0, 0)?.0;
-    // This compares each pixel with the one before it.
+    // Compare each pixel with the previous one.
     let bytes = picture.as_raw();
     (bytes[3..] == bytes[..bytes.len() - 3]).then_some(first)
 }
 
-/// Returns a clause such as `upside down` for each turn that makes our picture equal to yours,
-/// possibly with its channels in a different order. If several orders fit, the clause names the
-/// first one.
+/// Returns a clause, such as `upside down`, for each turn that makes our picture equal to yours.
+/// The channels may be in a different order, too. If several orders fit, the clause names the first
+/// of them.
 fn turned_or_swapped_clauses(yours: &RgbImage, ours: &RgbImage) -> Vec<String> {
     if yours.pixels().len() != ours.pixels().len() {
         return vec![];
@@ -79,7 +80,8 @@ fn turned_or_swapped_clauses(yours: &RgbImage, ours: &RgbImage) -> Vec<String> {
     clauses.collect()
 }
 
-/// Returns a clause such as `enlarged 2 times` if your picture is a part of ours, or ours enlarged.
+/// Returns a clause, such as `enlarged 2 times`, if your picture is a part of our picture, or if it
+/// is all of our picture enlarged.
 fn cut_or_enlarged_clause(yours: &RgbImage, ours: &RgbImage) -> Option<String> {
     let ((w, h), (columns, rows)) = (yours.dimensions(), ours.dimensions());
     if let Some((i, j)) = find_corner(yours, ours) {
@@ -92,8 +94,8 @@ fn cut_or_enlarged_clause(yours: &RgbImage, ours: &RgbImage) -> Option<String> {
     is_enlarged.then(|| format!("enlarged {times} times"))
 }
 
-/// Finds the column and row in `whole` at which `part` begins. Returns None if it isn't a part, if
-/// it is too small to tell, or if the budget runs out.
+/// Finds the column and row in `whole` at which `part` begins. Returns None if `part` doesn't occur
+/// in `whole` or is too small to tell, or if the budget runs out.
 fn find_corner(part: &RgbImage, whole: &RgbImage) -> Option<(u32, u32)> {
     let (w, h) = part.dimensions();
     let (columns, rows) = (whole.width().checked_sub(w)?, whole.height().checked_sub(h)?);
@@ -113,7 +115,7 @@ fn find_corner(part: &RgbImage, whole: &RgbImage) -> Option<(u32, u32)> {
 mod tests {
     use super::*;
 
-    /// A picture in which no two pixels are the same.
+    /// A picture in which no two pixels have the same colour.
     fn numbered_picture(columns: u32, rows: u32) -> RgbImage {
         RgbImage::from_fn(columns, rows, |i, j| [i as u8, j as u8, 200].into())
     }

@@ -1,26 +1,27 @@
-//! Finds black or white pixels that form a simple shape, and may never have been drawn.
+//! Finds black or white pixels that may never have been drawn, since they form a simple shape.
 
 use crate::comparison::{Comparison, Pixel};
 use std::collections::BTreeSet;
 
-/// The minimum number of pixels that we call undrawn. A border has to leave at least as many pixels
-/// inside it.
+/// The minimum number of pixels that we call undrawn. If they form a border, at least as many
+/// pixels have to lie inside the border.
 const MIN_PIXELS: usize = 100;
 
 /// The maximum number of rectangles that a sentence names.
 const MAX_RECTANGLES: usize = 4;
 
-/// The largest period that counts as a pattern, whether of diagonals or of pixels in reading order.
+/// The largest period of a pattern of diagonals, or of a pattern of pixels in reading order.
 const LARGEST_PERIOD: u32 = 64;
 
 const BLACK: [u8; 3] = [0; 3];
 const WHITE: [u8; 3] = [255; 3];
 
-/// Describes wrong pixels that are black or white and form a simple shape, as undrawn pixels do.
-/// For white pixels, the sentence gives no reason, since they may also come from too much light.
+/// Describes wrong pixels that form a simple shape and are black or white, so that they may be
+/// undrawn. About white pixels, the sentence doesn't say that they may be undrawn, since they may
+/// also come from too much light.
 ///
-/// Black pixels of any other shape are reported, too, if every wrong pixel is black, and if a part
-/// of the sky is wrong, but not all of it.
+/// If black pixels form no simple shape, describes them only if every wrong pixel is black, and if
+/// a part of the sky is wrong, but not all of it.
 pub(crate) fn undrawn_sentence(comparison: &Comparison) -> Option<String> {
     black_sentence(comparison).or_else(|| white_sentence(comparison))
 }
@@ -64,16 +65,16 @@ struct Shape {
 /// The likeliest reason why the pixels of a shape are black.
 #[derive(Clone, Copy)]
 enum ShapeCause {
-    /// A loop in the program left them out.
+    /// A loop in the program left these pixels out.
     Loop,
     /// An editor put a border around a finished picture.
     Editor,
-    /// Unclear: several rectangles may be undrawn. But if pixels of other colours are wrong, too,
-    /// the rectangles may show anything dark.
+    /// Unclear, because the shape consists of several rectangles. These may be undrawn. But if
+    /// pixels of other colours are wrong, too, the rectangles may also be dark objects.
     Unknown,
 }
 
-/// Whether a pixel belongs to the shape formed by all wrong pixels of a given colour.
+/// Whether a pixel belongs to a shape that contains all wrong pixels of a given colour.
 #[derive(Clone, Copy, PartialEq)]
 enum Membership {
     /// The pixel is wrong and has the given colour, so it belongs to the shape.
@@ -95,7 +96,7 @@ enum LineKind {
 struct Mask {
     columns: u32,
     rows: u32,
-    /// One for each pixel, row by row.
+    /// The membership of each pixel, row by row.
     memberships: Vec<Membership>,
 }
 
@@ -139,7 +140,7 @@ impl Mask {
         self.inside_positions().count()
     }
 
-    /// Whether a shape contains all pixels that are inside and none that are outside.
+    /// Whether a shape contains all pixels that are `Inside`, and no pixels that are `Outside`.
     fn is_shape(&self, contains: impl Fn(u32, u32) -> bool) -> bool {
         self.pixels().all(|(i, j, membership)| match membership {
             Membership::Inside => contains(i, j),
@@ -148,8 +149,8 @@ impl Mask {
         })
     }
 
-    /// Tries all kinds of shapes that we know, and returns the first that fits. Returns None if
-    /// none fits, or if the shape is the whole picture.
+    /// Tries all kinds of shapes that we know, and returns the first shape that fits. Returns None
+    /// if no shape fits, or if the shape is the whole picture.
     fn find_shape(&self) -> Option<Shape> {
         if !self.memberships.contains(&Membership::Outside) {
             return None;
@@ -182,14 +183,15 @@ impl Mask {
             ("below", self.rows - 1 - last_row),
         ];
         let bars: Vec<_> = sides.into_iter().filter(|(_, width)| *width > 0).collect();
-        // A single bar isn't a border: it is the rectangle that a loop leaves undrawn if it ends
-        // too soon. And a border must surround something.
+        // A single bar isn't a border but a rectangle, which a loop leaves undrawn if the loop ends
+        // too soon. A border also has to surround enough pixels.
         if bars.len() < 2 || kept.len() < MIN_PIXELS || !self.is_shape(is_border) {
             return None;
         }
         let shape = if bars.len() == 4 { "a frame" } else { "bars" };
         let widths: Vec<_> = bars.iter().map(|(side, width)| format!("{width} {side}")).collect();
-        // A loop may leave out the first and the last line. A border from an editor is wider.
+        // A loop may leave out just the first and the last line. A border from an editor is wider
+        // than one pixel.
         let is_loop = bars.iter().all(|(_, width)| *width == 1);
         let cause = if is_loop { ShapeCause::Loop } else { ShapeCause::Editor };
         let simile = if is_loop { "" } else { ", as editors add them" };
@@ -197,8 +199,8 @@ impl Mask {
         Some(Shape { words, cause })
     }
 
-    /// Finds all crossings of certain columns with certain rows, such as every other row or a
-    /// rectangle.
+    /// Finds a shape that consists of all crossings of certain columns with certain rows. Examples
+    /// are a rectangle, and every other row.
     fn find_column_row_crossings(&self) -> Option<Shape> {
         let columns: BTreeSet<_> = self.inside_positions().map(|(i, _)| i).collect();
         let rows: BTreeSet<_> = self.inside_positions().map(|(_, j)| j).collect();
@@ -211,8 +213,8 @@ impl Mask {
         is_shape.then_some(Shape { words, cause: ShapeCause::Loop })
     }
 
-    /// Finds everything except the crossings of certain columns with certain rows, such as lines
-    /// between tiles.
+    /// Finds a shape that consists of whole columns and whole rows, such as the lines between
+    /// tiles.
     fn find_whole_columns_and_rows(&self) -> Option<Shape> {
         let columns: BTreeSet<_> = (0..self.columns).collect();
         let rows: BTreeSet<_> = (0..self.rows).collect();
@@ -277,7 +279,7 @@ impl Mask {
             let words = format!("{diagonals}, {direction}");
             Shape { words, cause: ShapeCause::Loop }
         };
-        // Adding the number of rows keeps the difference from being negative.
+        // Add the number of rows, because the difference i − j may be negative.
         let falling = self.find_period(|i, j| i + self.rows - j);
         let rising = || self.find_period(|i, j| i + j);
         falling
@@ -297,8 +299,9 @@ impl Mask {
         })
     }
 
-    /// Formats rows or columns as `row 3`, `rows 3 to 9` or `every 2nd row from 1 to 359`. Returns
-    /// None if there are none, or if they are all that the picture has.
+    /// Describes rows or columns. Examples are `row 3`, `rows 3 to 9` and `every 2nd row from 1 to
+    /// 359`. Returns None if `lines` is empty, or if it contains all rows or all columns of the
+    /// picture.
     fn format_lines(&self, kind: LineKind, lines: &BTreeSet<u32>) -> Option<String> {
         let (word, all) = match kind {
             LineKind::Column => ("column", self.columns),
@@ -318,14 +321,14 @@ impl Mask {
 }
 
 /// Joins the descriptions of columns and rows, as in `columns 3 to 9 of row 2`. Returns None if
-/// there are neither.
+/// both are None.
 fn columns_of_rows(columns: &Option<String>, rows: &Option<String>) -> Option<String> {
     let known: Vec<_> = [columns, rows].into_iter().flatten().map(String::as_str).collect();
     (!known.is_empty()).then(|| known.join(" of "))
 }
 
-/// Formats how often a pattern of pixels or diagonals repeats, such as `every 3rd pixel`, or
-/// `2 of every 5 pixels` if each period contains two.
+/// Describes a pattern that repeats, such as `every 3rd pixel`. If each period contains two pixels,
+/// the description is of the form `2 of every 5 pixels`. `word` is `pixel` or `diagonal`.
 fn format_period(word: &str, period: u32, count_per_period: usize) -> String {
     match count_per_period {
         1 => format!("every {} {word}", format_ordinal(period)),
@@ -348,7 +351,6 @@ fn format_ordinal(number: u32) -> String {
 mod tests {
     use super::*;
 
-    /// A mask with ten rows.
     fn mask_with_ten_rows(columns: u32, contains: impl Fn(u32, u32) -> bool) -> Mask {
         let pixels = (0..10).flat_map(|j| (0..columns).map(move |i| (i, j)));
         let membership = |(i, j)| match contains(i, j) {

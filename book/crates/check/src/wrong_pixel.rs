@@ -1,4 +1,4 @@
-//! The one wrong pixel that an answer shows in full.
+//! Describes the one wrong pixel that an answer shows in full.
 
 use crate::comparison::{Comparison, Pixel};
 use crate::number_format::{format_four_decimals, format_vector_four_decimals};
@@ -6,7 +6,8 @@ use crate::step_scene::{ObjectHit, StepScene};
 use course::Step;
 use step05_phong::{Ray, normal};
 
-/// Describes the wrong pixel that differs most: both colours, and what our program computes there.
+/// Describes the wrong pixel that differs most: its colours in both pictures, and what our program
+/// computes for it.
 pub(crate) fn describe_most_different_pixel(
     Comparison { target, most_different, .. }: &Comparison,
 ) -> String {
@@ -17,7 +18,7 @@ pub(crate) fn describe_most_different_pixel(
 }
 
 /// Formats the values that our program computes for one ray, in the book's notation. The text
-/// begins with a colon, to follow the two colours.
+/// begins with a colon, because it follows the two colours.
 fn computed_values(scene: &StepScene, ray: &Ray, hit: Option<ObjectHit>) -> String {
     let Some(hit) = hit else {
         return format!(": the sky, V = {}", format_vector_four_decimals(ray.direction));

@@ -23,7 +23,7 @@ impl FileVerdict {
     }
 }
 
-/// A verdict, with a sentence about it.
+/// The verdict on a file, and a sentence about the file.
 #[derive(Debug)]
 pub(crate) struct Feedback {
     pub verdict: FileVerdict,
@@ -40,8 +40,8 @@ impl Feedback {
     }
 }
 
-/// Judges a student's file. `earlier` are the pictures above it in the table: if one of them has a
-/// cause in common with this file, the sentence says so.
+/// Judges a student's file. `earlier` contains the pictures above the file in the table. If one of
+/// these pictures has a cause in common with the file, the sentence says so.
 pub(crate) fn judge(result: &Result<Answer, CheckError>, earlier: &[PictureReport]) -> Feedback {
     let feedback = match result {
         Err(error) => Feedback {
@@ -65,9 +65,9 @@ pub(crate) fn judge(result: &Result<Answer, CheckError>, earlier: &[PictureRepor
     }
 }
 
-/// Judges a picture that a right program draws with other options. It earns no point if a listed
-/// mistake produces the same picture. For example, a program with tan θ in place of tan(θ/2) draws
-/// exactly the picture of `--fov 120`. Nor does a picture of one colour earn a point, since many
+/// Judges a picture that a right program draws with other options. The picture earns no point if a
+/// listed mistake produces it, too. For example, a program with tan θ in place of tan(θ/2) draws
+/// exactly the picture of `--fov 120`. A picture of one colour earns no point either, since many
 /// options and mistakes produce it.
 fn judge_options(answer: &Answer) -> Feedback {
     let doubts = &answer.option_doubts;
@@ -83,8 +83,8 @@ fn judge_options(answer: &Answer) -> Feedback {
     Feedback { verdict: FileVerdict::Compared(verdict), sentence, causes }
 }
 
-/// Finds the first earlier picture that has one of these causes, too. Returns that cause and the
-/// name of the picture.
+/// Finds the first earlier picture that shares one of these causes. Returns the shared cause and
+/// the name of the earlier picture.
 fn find_shared_cause<'a>(
     causes: &'a [Cause],
     earlier: &[PictureReport],

@@ -1,5 +1,5 @@
-//! Finds the students' folders in a class's folder, and the files in a student's folder. Links
-//! aren't followed, and both the number of entries and the depth are limited.
+//! Finds the students' folders in a class's folder, and the files in a student's folder. Doesn't
+//! follow links. Limits the number of entries and the depth of nesting.
 
 use crate::class::skipped_paths::{SkipReason, SkippedPaths};
 use crate::escape_for_terminal;
@@ -10,11 +10,11 @@ use std::io;
 use std::path::{Path, PathBuf};
 use thiserror::Error;
 
-/// The maximum number of entries in a class's folder, and in a student's folder together with its
-/// subfolders.
+/// The maximum number of entries in a class's folder. The same limit holds for a student's folder
+/// together with its subfolders.
 pub(crate) const MAX_ENTRIES: usize = 10_000;
 
-/// The maximum depth of nested folders, counting the student's own.
+/// The maximum depth of nested folders. The student's own folder has depth 1.
 const MAX_DEPTH: usize = 8;
 
 /// Folders that Git and Cargo fill. We skip them, because they contain nothing that was handed in
@@ -41,7 +41,8 @@ pub enum FolderError {
     NoStudents {
         /// The class's folder.
         folder: String,
-        /// A clause that lists what is there instead, if anything.
+        /// A clause that lists what the class's folder contains instead. None if the folder is
+        /// empty.
         skipped_paths: Option<String>,
     },
 }
@@ -128,15 +129,15 @@ pub(crate) fn find_own_pictures(folder: &Path) -> Result<Contents, FolderError> 
 /// A folder that hasn't been read yet.
 struct UnreadFolder {
     path: PathBuf,
-    /// The path relative to the student's folder, ending in `/`. It is empty for that folder
-    /// itself.
+    /// The path relative to the student's folder, ending in `/`. It is empty for the student's
+    /// folder itself.
     printable_path: String,
     /// The depth of nesting, which is 1 for the student's own folder.
     depth: usize,
 }
 
 /// Finds the files in a student's folder and its subfolders. The search is breadth-first, so that
-/// the limit on entries cuts off the most deeply nested ones.
+/// the limit on entries cuts off the most deeply nested files.
 pub(crate) fn find_files(student: &StudentFolder) -> Contents {
     let Contents { mut files, mut skipped_paths } = Contents::default();
     let mut entries_left = MAX_ENTRIES;
@@ -190,7 +191,7 @@ fn read_top_folder(folder: &Path) -> Result<Vec<DirEntry>, FolderError> {
 }
 
 /// Reads the entries of a folder, sorted by name. If there are more than `max_entries`, returns an
-/// error: the first ones would be an arbitrary choice, since the file system decides on the order.
+/// error. We can't use the first few entries, because their order in the file system is arbitrary.
 fn read_entries(folder: &Path, max_entries: usize) -> Result<Vec<DirEntry>, SkipReason> {
     let mut entries = fs::read_dir(folder)
         .and_then(|entries| entries.take(max_entries + 1).collect::<io::Result<Vec<_>>>())
@@ -202,8 +203,8 @@ fn read_entries(folder: &Path, max_entries: usize) -> Result<Vec<DirEntry>, Skip
     Ok(entries)
 }
 
-/// Formats a name for a table or a message. Bytes that aren't UTF-8 and characters that a terminal
-/// would interpret are escaped.
+/// Formats a name for a table or a message. Escapes bytes that aren't UTF-8, and characters that a
+/// terminal would interpret.
 pub(crate) fn printable_name(name: &OsStr) -> String {
     let mut printable = String::new();
     for chunk in name.as_encoded_bytes().utf8_chunks() {

@@ -1,4 +1,4 @@
-//! A class's list of names, and which of them are the names of folders.
+//! Reads the list of a class's names, and compares it with the names of the students' folders.
 
 use crate::class::folder::{MAX_ENTRIES, StudentFolder, printable_name};
 use crate::class::student::Note;
@@ -14,7 +14,7 @@ pub enum NamesError {
     /// The file can't be read.
     #[error(transparent)]
     Read(#[from] ReadFileError),
-    /// The file has a different encoding.
+    /// The file isn't encoded in UTF-8.
     #[error("{0} is not in UTF-8")]
     NotUtf8(String),
     /// The file has nothing but blank lines.
@@ -46,17 +46,17 @@ pub fn read_names(list: &Path) -> Result<Vec<String>, NamesError> {
 }
 
 /// Converts a name to NFC, in which each letter is one character. macOS splits the "ü" in a file
-/// name into two: "u" and a diaeresis.
+/// name into two characters, "u" and a diaeresis.
 pub fn normalize_name(name: &str) -> String {
     name.nfc().collect()
 }
 
-/// Returns the normalized name of a student's folder, or None if it isn't UTF-8.
+/// Returns the normalized name of a student's folder, or None if the name isn't UTF-8.
 fn normalized_folder_name(student: &StudentFolder) -> Option<String> {
     student.name.to_str().map(normalize_name)
 }
 
-/// Names that several folders share, apart from their Unicode form.
+/// Names that several folders have, each in a different Unicode form.
 pub(crate) struct DuplicateNames(HashSet<String>);
 
 impl DuplicateNames {
@@ -72,7 +72,7 @@ impl DuplicateNames {
     }
 }
 
-/// A list of names, and whether each has a folder.
+/// A list of names, and whether each name has a folder.
 pub(crate) struct ListedNames<'a> {
     names: &'a [String],
     has_folder: HashMap<&'a str, bool>,

@@ -1,5 +1,5 @@
-//! The report on a class and the report on a reader's own pictures, each as a table and as JSON.
-//! The report on a class can also be CSV, for a spreadsheet.
+//! Formats the report on a class, and the report on a reader's own pictures, as a table or as JSON.
+//! Also formats the report on a class as CSV, for a spreadsheet.
 
 use crate::Verdict;
 use crate::class::feedback::FileVerdict;
@@ -26,9 +26,11 @@ pub struct OwnReport {
 }
 
 impl ClassReport {
-    /// The program's exit code. It is 2 if something is missing, unreadable or skipped, or if there
-    /// is a note on a student. If not, it is 1 if a picture that counts towards the points hasn't
-    /// earned its point, and 0 if all have.
+    /// The program's exit code is the first of these that applies:
+    ///
+    /// - 2 if something is missing, unreadable or skipped, or if there is a note on a student
+    /// - 1 if a picture that counts towards the points hasn't earned its point
+    /// - 0 otherwise
     pub fn exit_code(&self) -> u8 {
         if !self.skipped_paths.is_empty() || self.students.iter().any(needs_a_person) {
             2
@@ -56,9 +58,9 @@ impl ClassReport {
         align(&rows) + &sentence.unwrap_or_default()
     }
 
-    /// Formats the report for a spreadsheet, which recognises UTF-8 by the byte order mark at the
-    /// start. The column `points` has numbers only in the rows of students, and `point` only in
-    /// those of pictures, so that each column can be summed.
+    /// Formats the report for a spreadsheet. The byte order mark at the start tells the spreadsheet
+    /// that this is UTF-8. The column `points` has numbers only in the rows of students, and the
+    /// column `point` only in the rows of pictures, so that each column can be summed.
     pub fn to_csv(&self) -> String {
         let mut rows = vec![];
         for student in &self.students {
@@ -113,8 +115,11 @@ impl ClassReport {
 }
 
 impl OwnReport {
-    /// The program's exit code. It is 2 if there are no pictures, or if one is missing or
-    /// unreadable. If not, it is 1 if a picture that counts isn't right, and 0 if all are.
+    /// The program's exit code is the first of these that applies:
+    ///
+    /// - 2 if there are no pictures, or if a picture is missing or unreadable
+    /// - 1 if a picture that counts isn't right
+    /// - 0 otherwise
     pub fn exit_code(&self) -> u8 {
         if self.report.pictures.is_empty() || has_missing_or_unreadable(&self.report) {
             2
@@ -161,7 +166,7 @@ impl OwnReport {
 /// A row in a table, about a file or a missing picture.
 struct PictureRow {
     picture: String,
-    /// 1 or 0 in the first row of a picture that counts, otherwise None.
+    /// 1 or 0 in the first row of a picture that counts. None in all other rows.
     point: Option<u8>,
     verdict: String,
     feedback: String,
@@ -171,9 +176,9 @@ struct PictureRow {
 }
 
 impl PictureRow {
-    /// The feedback. The path of the file precedes it if the picture has several files, or if the
-    /// file is in a subfolder: that's how a person notices that a student's folder really holds the
-    /// work of several students.
+    /// The feedback. If the picture has several files, or if the file is in a subfolder, the path
+    /// of the file precedes the feedback. From these paths, a person can tell if a student's folder
+    /// really holds the work of several students.
     fn feedback_with_file(&self) -> String {
         let needs_path = |path: &&str| self.is_one_of_several || path.contains('/');
         let path = self.file.as_deref().filter(needs_path).unwrap_or_default();
@@ -245,8 +250,8 @@ fn student_feedback(student: &StudentReport) -> String {
     clauses.collect::<Vec<_>>().join("; ")
 }
 
-/// Whether a person should look at a student's folder: something in it is missing, unreadable or
-/// skipped, or there is a note on it.
+/// Whether a person should look at a student's folder, because something is missing, unreadable or
+/// skipped, or because there is a note on the student.
 fn needs_a_person(student: &StudentReport) -> bool {
     !student.notes.is_empty()
         || !student.skipped_paths.is_empty()
@@ -265,8 +270,9 @@ fn has_missing_or_unreadable(student: &StudentReport) -> bool {
 #[derive(Default)]
 struct CsvRow {
     student: String,
-    /// A student's points, and the maximum.
+    /// A student's points.
     points: Option<usize>,
+    /// The maximum of a student's points.
     max_points: Option<usize>,
     picture: String,
     /// The point for a picture: 1 or 0.
@@ -294,8 +300,8 @@ impl CsvRow {
     }
 }
 
-/// Formats a cell: the text in quotes, with a `'` in front if a spreadsheet could take it for a
-/// formula.
+/// Formats a cell that contains a text. The text is in quotes, and begins with an added `'` if a
+/// spreadsheet could take it for a formula.
 fn csv_text_cell(text: &str) -> String {
     let is_invisible = |c: char| {
         c.is_whitespace() || c.is_control() || matches!(c, '\u{200b}'..='\u{200f}' | '\u{feff}')

@@ -2,11 +2,13 @@
 
 use std::fmt::{self, Display, Formatter};
 
-/// The maximum number of skipped paths listed in JSON, and in a clause.
+/// The maximum number of skipped paths that are listed in JSON.
 const MAX_LISTED: usize = 100;
+
+/// The maximum number of skipped paths that are listed in a clause.
 const MAX_IN_CLAUSE: usize = 8;
 
-/// Everything that was skipped: the first few paths, and how many there are in all.
+/// The first few paths that were skipped, and the number of all paths that were skipped.
 #[derive(Debug, Default)]
 pub(crate) struct SkippedPaths {
     pub first: Vec<SkippedPath>,
@@ -47,8 +49,9 @@ impl SkippedPaths {
         self.count == 0
     }
 
-    /// Returns a clause listing the first few skipped paths, then how many more there are. Files
-    /// that aren't named after a picture come last. Returns None if nothing was skipped.
+    /// Returns a clause that lists the first few skipped paths, and then says how many more there
+    /// are. Files that aren't named after a picture are last in the list. Returns None if nothing
+    /// was skipped.
     pub fn clause(&self) -> Option<String> {
         let mut sorted: Vec<_> = self.first.iter().collect();
         sorted.sort_by_key(|file| file.reason == SkipReason::OtherName);

@@ -1,4 +1,4 @@
-//! Compares the pictures that one student has handed in with those of the course.
+//! Compares one student's pictures with the pictures of the course.
 
 use crate::class::feedback::{Feedback, judge};
 use crate::class::folder::{Contents, FoundFile};
@@ -27,7 +27,7 @@ pub(crate) struct PictureReport {
     pub picture: &'static str,
     /// Whether the picture counts towards the points. If no picture is required, all count.
     pub is_counted: bool,
-    /// The files named after this picture that were checked. If there are none, the picture is
+    /// The checked files that are named after this picture. If there are none, the picture is
     /// missing.
     pub files: Vec<FileReport>,
     /// The number of files named after this picture, including those that weren't checked.
@@ -101,7 +101,7 @@ impl StudentReport {
 
 impl PictureReport {
     /// Whether the picture has earned its point. For that, it needs at least one file, and every
-    /// one of its files has to earn the point. A file that wasn't checked earns nothing.
+    /// one of its files has to earn the point. A file that wasn't checked doesn't earn the point.
     pub fn earns_point(&self) -> bool {
         let deserving = self.files.iter().filter(|file| file.feedback.earns_point());
         self.file_count > 0 && deserving.count() == self.file_count
@@ -164,7 +164,7 @@ fn check_file(file: &FoundFile, picture: &'static str, earlier: &[PictureReport]
     let result = read_bounded_file(&file.path)
         .map_err(CheckError::from)
         .and_then(|png| check_png(&png, file.printable_name(), Some(picture), read_locked_picture))
-        // Keeping the pictures of a whole class would take too much memory.
+        // Drop the pictures: those of a whole class would take too much memory.
         .map(|answer| Answer { compared_pictures: None, ..answer });
     let feedback = judge(&result, earlier);
     FileReport { printable_path: file.printable_path.clone(), result, feedback }

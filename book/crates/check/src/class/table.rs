@@ -1,6 +1,6 @@
 //! Aligns text in columns.
 
-/// Formats rows in columns, each as wide as its longest cell.
+/// Formats rows so that each column is as wide as its longest cell.
 pub(crate) fn align(rows: &[Vec<String>]) -> String {
     let width = |k: usize| rows.iter().map(|row| row[k].chars().count()).max().unwrap_or(0);
     let widths: Vec<_> = (0..rows.first().map_or(0, Vec::len)).map(width).collect();
