@@ -95,7 +95,7 @@ fn write_and_check_pages(workspace: &Path, folder: &Path) -> Result<Site> {
     for (name, html) in postprocess_pages(&files)? {
         write_page_file(&folder, &mut files, name, html)?;
     }
-    let mut site = Site::new(files);
+    let mut site = Site::parse(files);
     let index = search::index_script(&site, search::READER_WORDS)?;
     write_page_file(&folder, &mut site.files, "search-index.js".to_owned(), index)?;
     Faults::ensure_none(links::find_address_faults(&site))?;

@@ -9,7 +9,7 @@ use crate::fault::{ChapterError, ChapterResult, Fault};
 use crate::listing::ExpandedListing;
 use crate::markdown::{self, html_block};
 use crate::open_box::Boxes;
-use crate::picture::{self, Interaction, Loading};
+use crate::picture::{self, Interaction, LoadingTime};
 use crate::problem::{PositionPair, Problem, ProblemHeading};
 use crate::{
     Sources, algorithm, check_form, console, figure, folded_box, formula, listing, mistake_gallery,
@@ -64,7 +64,7 @@ pub fn expand_chapter(
         expanded: ExpandedChapter::default(),
         expanded_end: 0,
         listings: vec![],
-        loading: Loading::AtOnce,
+        loading: LoadingTime::AtOnce,
         noted_blocks: vec![],
         boxes: Boxes::default(),
     };
@@ -86,7 +86,7 @@ struct Chapter<'a> {
     /// The ids of the listings so far.
     listings: Vec<String>,
     /// How the next picture is loaded.
-    loading: Loading,
+    loading: LoadingTime,
     /// The blocks that have notes. Each range of the text covers a block and its notes.
     noted_blocks: Vec<Range<usize>>,
     boxes: Boxes,
@@ -251,14 +251,14 @@ impl<'a> Chapter<'a> {
             Event::Start(Tag::Strong) => {
                 let position = self.copy_until_position_pair(range.start);
                 if let Some(answer) = self.boxes.open_answer() {
-                    answer.record_bold_start(position);
+                    answer.record_first_bold_start(position);
                 }
                 return Ok(Expansion::Keep);
             }
             Event::End(TagEnd::Strong) => {
                 let position = self.copy_until_position_pair(range.end);
                 if let Some(answer) = self.boxes.open_answer() {
-                    answer.record_bold_end(position);
+                    answer.record_first_bold_end(position);
                 }
                 return Ok(Expansion::Keep);
             }
@@ -486,8 +486,8 @@ struct ChapterPicture<'a> {
 /// Returns the interaction that a directive, `live` or `preview`, gives to the picture before it.
 fn find_interaction(directive: Directive) -> ChapterResult<Interaction<'static>> {
     let Directive { kind, words } = directive;
-    let figure =
-        figures::find_figure(words).ok_or_else(|| ChapterError::UnknownLive(words.to_owned()))?;
+    let figure = figures::find_figure(words)
+        .ok_or_else(|| ChapterError::UnknownInteractiveFigure(words.to_owned()))?;
     let make = if kind == DirectiveKind::Live { Interaction::Live } else { Interaction::Preview };
     Ok(make(figure))
 }

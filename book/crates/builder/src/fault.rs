@@ -39,9 +39,9 @@ pub enum ChapterError {
     #[error("there is no figure {0}")]
     UnknownFigure(String),
     #[error("there is no interactive figure {0}")]
-    UnknownLive(String),
+    UnknownInteractiveFigure(String),
     #[error("there is no editable scene {0}")]
-    UnknownProgram(String),
+    UnknownEditableScene(String),
     #[error("there is no step {0}")]
     UnknownStep(String),
     #[error("there is no locked picture {0}")]

@@ -12,8 +12,8 @@ pub fn drawing_html(name: &str, values: &Values) -> ChapterResult<String> {
     let Content::Drawing { title, caption, draw } = figure.content else {
         return Err(ChapterError::UnknownFigure(name.to_owned()));
     };
-    let (live, controls) = match figure.follows {
-        Some(follows) => (format!(" data-companion=\"{follows}\""), String::new()),
+    let (live, controls) = match figure.values_from {
+        Some(figure_name) => (format!(" data-companion=\"{figure_name}\""), String::new()),
         None if figure.parameters.is_empty() => Default::default(),
         None => (format!(" data-live=\"{name}\""), controls::controls_html(figure)),
     };

@@ -55,7 +55,7 @@ pub fn expand_listing(
     if let Some(name) = scene
         && find_figure(name).is_none_or(|figure| figure.editable_scene.is_none())
     {
-        return Err(ChapterError::UnknownProgram(name.to_owned()));
+        return Err(ChapterError::UnknownEditableScene(name.to_owned()));
     }
     let new_lines = read_file_of_nearest_earlier_step(path, &sources.workspace)
         .map_or(vec![], |old| new_lines(&code, &old));
@@ -97,7 +97,7 @@ impl Extent {
     }
 
     /// What the caption says about this part.
-    fn words(self) -> Option<&'static str> {
+    fn caption(self) -> Option<&'static str> {
         match self {
             Self::WholeFile => None,
             Self::Beginning => Some("its beginning"),
@@ -118,7 +118,7 @@ impl Listing<'_> {
         let name_start = short_path.rfind('/').map_or(0, |slash| slash + 1);
         let (folder, file) = short_path.split_at(name_start);
         let [folder, file] = [folder, file].map(|name| with_break_hints(&escape_html(name)));
-        let part = self.extent.words();
+        let part = self.extent.caption();
         let part =
             part.map_or(String::new(), |part| format!(r#" <span class="part">{part}</span>"#));
         let caption = format!(
@@ -275,7 +275,7 @@ mod tests {
         for (lines, words) in
             [(0..6, None), (0..2, Some("its beginning")), (2..6, Some("add below"))]
         {
-            assert_eq!(Extent::new(&lines, 6).words(), words, "{lines:?}");
+            assert_eq!(Extent::new(&lines, 6).caption(), words, "{lines:?}");
         }
     }
 

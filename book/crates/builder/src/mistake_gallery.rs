@@ -4,7 +4,7 @@
 use crate::Sources;
 use crate::fault::{ChapterError, ChapterResult};
 use crate::markdown::{html_block, inline_html};
-use crate::picture::{self, Loading};
+use crate::picture::{self, LoadingTime};
 use crate::sources::small_picture_name;
 use crate::values::Values;
 use course::{Mistake, MistakePicture, ShownMistake, Step, escape_html, mistakes};
@@ -15,7 +15,7 @@ use course::{Mistake, MistakePicture, ShownMistake, Step, escape_html, mistakes}
 pub fn gallery_markdown(
     step_name: &str,
     sources: &Sources,
-    loading: &mut Loading,
+    loading: &mut LoadingTime,
 ) -> ChapterResult<String> {
     let step = Step::from_name(step_name)
         .ok_or_else(|| ChapterError::UnknownStep(step_name.to_owned()))?;
@@ -33,7 +33,7 @@ pub fn gallery_markdown(
             picture::image_html(&shown.effect.replace('`', ""), &source, sources, loading)?;
         items += &format!("- [{picture} {title}](#{name})\n");
         sections += &format!("### {title} {{#{name}}}\n");
-        sections += &html_block(&panels_html(&source, step, sources, loading)?);
+        sections += &html_block(&yours_ours_difference_html(&source, step, sources, loading)?);
         sections += &html_block(&changed_lines_html(mistake));
         sections += &(reason_markdown(mistake, shown, &sources.values)? + "\n\n");
     }
@@ -60,17 +60,17 @@ fn reason_markdown(
 /// Returns the HTML of three panels: the wrong picture, the right picture of that step, and the
 /// difference. `yours` is the path of the wrong picture. The browser computes the difference by
 /// blending the two pictures.
-fn panels_html(
+fn yours_ours_difference_html(
     yours: &str,
     step: Step,
     sources: &Sources,
-    loading: &mut Loading,
+    loading: &mut LoadingTime,
 ) -> ChapterResult<String> {
     let ours = format!("generated/{}", small_picture_name(step));
     let alt = format!("The picture of step {} with this mistake.", step.number());
     let wrong = picture::image_html(&alt, yours, sources, loading)?;
     let right = picture::image_html("The right picture.", &ours, sources, loading)?;
-    let lazy = Loading::InView.attribute();
+    let lazy = LoadingTime::InView.html_attribute();
     Ok(format!(
         "<div class=\"panels\"><span data-label=\"Yours\">{wrong}</span>\
          <span data-label=\"Ours\">{right}</span>\

@@ -25,11 +25,11 @@ pub struct Site {
 impl Site {
     /// Reads a book that has been built into `folder`.
     pub fn read(folder: &Path) -> Result<Self> {
-        Ok(Self::new(Files::read(folder)?))
+        Ok(Self::parse(Files::read(folder)?))
     }
 
-    /// Creates a site from these files, and parses the pages among them.
-    pub fn new(files: Files) -> Self {
+    /// Parses the pages among these files.
+    pub fn parse(files: Files) -> Self {
         let texts = files.texts_with_suffix(".html");
         let pages = texts.map(|(name, html)| (name.to_owned(), Page::parse(name, html))).collect();
         Self { files, pages }
@@ -174,7 +174,7 @@ pub fn is_void(tag: &str) -> bool {
 pub fn tokens(html: &str) -> Vec<(Token, u64)> {
     let queue = BufferQueue::default();
     queue.push_back(StrTendril::from(html));
-    let tokenizer = Tokenizer::new(Tokens::default(), TokenizerOpts::default());
+    let tokenizer = Tokenizer::new(TokenCollector::default(), TokenizerOpts::default());
     let _ = tokenizer.feed(&queue);
     tokenizer.end();
     tokenizer.sink.0.take()
@@ -182,9 +182,9 @@ pub fn tokens(html: &str) -> Vec<(Token, u64)> {
 
 /// Collects the tokens. Takes the contents of scripts and styles for plain text, not for HTML.
 #[derive(Default)]
-struct Tokens(RefCell<Vec<(Token, u64)>>);
+struct TokenCollector(RefCell<Vec<(Token, u64)>>);
 
-impl TokenSink for Tokens {
+impl TokenSink for TokenCollector {
     type Handle = ();
 
     fn process_token(&self, token: Token, line: u64) -> TokenSinkResult<()> {

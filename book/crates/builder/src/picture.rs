@@ -28,14 +28,14 @@ pub enum Interaction<'a> {
 
 /// When a browser loads a picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Loading {
+pub enum LoadingTime {
     /// At once, before all other pictures. This is for the first picture on a page.
     AtOnce,
     /// When the picture comes into view.
     InView,
 }
 
-impl Loading {
+impl LoadingTime {
     /// Returns how the next picture on a page is loaded. All pictures after that are loaded when
     /// they come into view.
     pub fn next(&mut self) -> Self {
@@ -43,7 +43,7 @@ impl Loading {
     }
 
     /// The HTML attribute that makes a browser load a picture at this time.
-    pub fn attribute(self) -> &'static str {
+    pub fn html_attribute(self) -> &'static str {
         match self {
             Self::AtOnce => r#"fetchpriority="high""#,
             Self::InView => r#"loading="lazy""#,
@@ -54,7 +54,7 @@ impl Loading {
 /// Changes the HTML of the page for printing so that every picture is loaded at once. A picture
 /// that is only loaded when it comes into view would be missing on paper.
 pub fn load_all_pictures(html: &str) -> String {
-    html.replace(&format!(" {}", Loading::InView.attribute()), "")
+    html.replace(&format!(" {}", LoadingTime::InView.html_attribute()), "")
 }
 
 /// Returns the HTML of `![alt text](generated/name.png "Caption")`, without the caption. If the
@@ -63,7 +63,7 @@ pub fn image_html_from_markdown(
     markdown: &str,
     source: &str,
     sources: &Sources,
-    loading: &mut Loading,
+    loading: &mut LoadingTime,
 ) -> ChapterResult<String> {
     // The caption may also contain a link to the same address, so the alt text ends at the first
     // match.
@@ -95,7 +95,7 @@ pub fn image_html(
     alt: &str,
     source: &str,
     sources: &Sources,
-    loading: &mut Loading,
+    loading: &mut LoadingTime,
 ) -> ChapterResult<String> {
     if alt.is_empty() {
         return Err(ChapterError::MissingAltText(source.to_owned()));
@@ -112,10 +112,10 @@ pub fn image_html(
     })?;
     let loading = loading.next();
     let smaller = match loading {
-        Loading::AtOnce => sources.smaller_sizes(source),
+        LoadingTime::AtOnce => sources.smaller_versions(source),
         // The page doesn't wait for a picture that is out of view, so the size of its file matters
         // less.
-        Loading::InView => vec![],
+        LoadingTime::InView => vec![],
     };
     let srcset = if smaller.is_empty() {
         String::new()
@@ -130,7 +130,7 @@ pub fn image_html(
         r#"<img src="{}"{srcset} alt="{}" width="{width}" height="{height}" {}>"#,
         escape_html(source),
         escape_html(alt),
-        loading.attribute(),
+        loading.html_attribute(),
     ))
 }
 
@@ -169,7 +169,7 @@ mod tests {
         let mut sources = Sources::read(&workspace()).expect("the sources can be read");
         let fault = |sources: &Sources, name: &str| {
             let source = format!("generated/{name}.png");
-            let html = image_html("A picture.", &source, sources, &mut Loading::AtOnce);
+            let html = image_html("A picture.", &source, sources, &mut LoadingTime::AtOnce);
             html.err().map(|error| error.to_string())
         };
         assert_eq!(fault(&sources, "mistake-first-in-list"), None);
@@ -182,15 +182,15 @@ mod tests {
 
     #[test]
     fn only_the_first_picture_is_loaded_at_once() {
-        let mut loading = Loading::AtOnce;
+        let mut loading = LoadingTime::AtOnce;
         let order = [loading.next(), loading.next(), loading.next()];
-        assert_eq!(order, [Loading::AtOnce, Loading::InView, Loading::InView]);
+        assert_eq!(order, [LoadingTime::AtOnce, LoadingTime::InView, LoadingTime::InView]);
     }
 
     #[test]
     fn only_the_cover_at_the_top_comes_in_several_sizes() {
         let sources = Sources::read(&workspace()).expect("the sources can be read");
-        let srcset_of = |name: &str, mut loading: Loading| {
+        let srcset_of = |name: &str, mut loading: LoadingTime| {
             let source = format!("generated/{name}.png");
             let html = image_html("A picture.", &source, &sources, &mut loading);
             let html = html.expect("the picture exists");
@@ -198,14 +198,14 @@ mod tests {
             page.elements[0].attr("srcset").map(str::to_owned)
         };
         assert_eq!(
-            srcset_of("cover", Loading::AtOnce).as_deref(),
+            srcset_of("cover", LoadingTime::AtOnce).as_deref(),
             Some(
                 "generated/cover-720.png 720w, generated/cover-960.png 960w, \
                  generated/cover.png 1280w"
             )
         );
-        assert_eq!(srcset_of("cover", Loading::InView), None);
-        assert_eq!(srcset_of("mirror", Loading::AtOnce), None);
+        assert_eq!(srcset_of("cover", LoadingTime::InView), None);
+        assert_eq!(srcset_of("mirror", LoadingTime::AtOnce), None);
         for columns in [720, 960] {
             let size = sources.picture_size(&format!("generated/cover-{columns}.png"));
             assert_eq!(size, Some((columns, columns * 9 / 16)));

@@ -93,12 +93,12 @@ pub struct OpenAnswer {
 
 impl OpenAnswer {
     /// Records where bold words begin, if they are the first in this answer.
-    pub fn record_bold_start(&mut self, position: PositionPair) {
+    pub fn record_first_bold_start(&mut self, position: PositionPair) {
         self.bold_start.get_or_insert(position);
     }
 
     /// Records where bold words end, if they are the first in this answer.
-    pub fn record_bold_end(&mut self, position: PositionPair) {
+    pub fn record_first_bold_end(&mut self, position: PositionPair) {
         self.bold_end.get_or_insert(position);
     }
 

@@ -60,7 +60,7 @@ impl Sources {
         for columns in COVER_COLUMNS {
             let camera = camera_with_size(columns, columns * 9 / 16);
             let cover = Step::Phong.picture()(&camera, COVER_SAMPLES);
-            files.insert(smaller_picture_name("cover", columns), encode_png(&cover));
+            files.insert(cover_version_name("cover", columns), encode_png(&cover));
         }
         for name in WASM_MODULES {
             let module = fs::read(workspace.join(format!("book/crates/page/{name}.wasm")))
@@ -82,15 +82,15 @@ impl Sources {
 
     /// The width and address of each smaller version of a picture. Only the cover has smaller
     /// versions.
-    pub fn smaller_sizes(&self, source: &str) -> Vec<(u32, String)> {
+    pub fn smaller_versions(&self, source: &str) -> Vec<(u32, String)> {
         let name = source.strip_suffix(".png").unwrap_or(source);
-        let all = COVER_COLUMNS.map(|columns| (columns, smaller_picture_name(name, columns)));
+        let all = COVER_COLUMNS.map(|columns| (columns, cover_version_name(name, columns)));
         all.into_iter().filter(|(_, source)| self.picture_size(source).is_some()).collect()
     }
 }
 
 /// The file name of the smaller version, `columns` pixels wide, of the picture `name`.
-fn smaller_picture_name(name: &str, columns: u32) -> String {
+fn cover_version_name(name: &str, columns: u32) -> String {
     format!("{name}-{columns}.png")
 }
 

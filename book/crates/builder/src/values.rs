@@ -81,7 +81,7 @@ fn compute_readouts(figure: &Figure, pixel: Option<&str>) -> Option<Readouts> {
     let values = match pixel {
         Some(pixel) => {
             let (i, j) = pixel.split_once(',')?;
-            figure.values_at_pixel([i.parse().ok()?, j.parse().ok()?])?
+            figure.default_values_with_probe_at([i.parse().ok()?, j.parse().ok()?])?
         }
         None => figure.default_values(),
     };

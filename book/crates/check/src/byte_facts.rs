@@ -56,7 +56,10 @@ pub(crate) fn one_colour_sentence(wrong: &[Pixel]) -> Option<String> {
 /// Describes your bytes as a function of ours. Returns None if there is no such function, because
 /// equal bytes of ours became different bytes of yours. Also returns None if a wrong colour could
 /// be the reason, because few byte values changed, and only in the sky or only in the objects.
-pub(crate) fn byte_map_sentence(comparison: &Comparison, scene: &StepScene) -> Option<String> {
+pub(crate) fn bytes_of_our_bytes_sentence(
+    comparison: &Comparison,
+    scene: &StepScene,
+) -> Option<String> {
     let mut yours_of_ours = [None; 256];
     for Pixel { yours, ours, .. } in comparison.pixels() {
         for (yours, ours) in zip(yours, ours) {
@@ -95,7 +98,10 @@ fn sentence_on_files_to_compare(changed_count: usize, scene: &StepScene) -> &'st
 
 /// Describes your bytes as a monotonic function of our intensities. Returns None if there is no
 /// such function, or if only the sky or only the objects differ.
-pub(crate) fn byte_curve_sentence(comparison: &Comparison, scene: &StepScene) -> Option<String> {
+pub(crate) fn bytes_of_our_intensities_sentence(
+    comparison: &Comparison,
+    scene: &StepScene,
+) -> Option<String> {
     if only_sky_or_only_objects_differ(comparison, scene) {
         return None;
     }

@@ -21,7 +21,7 @@ struct MatrixNumber {
 }
 
 /// Describes the cameras that reproduce the reader's picture exactly.
-pub(crate) fn find_cameras(
+pub(crate) fn describe_fitting_cameras(
     comparison: &Comparison,
     scene: &StepScene,
     budget: &Budget,
@@ -204,12 +204,12 @@ mod tests {
     const D_V: MatrixNumber = MatrixNumber { column: 1, row: 1 };
     const V_0: MatrixNumber = MatrixNumber { column: 2, row: 1 };
 
-    fn target() -> Target {
+    fn step01_target() -> Target {
         Target::of_locked("step01_rays", picture(&camera(), 1))
     }
 
     fn bounds(yours: &RgbImage, number: MatrixNumber) -> Option<RangeInclusive<f64>> {
-        let target = target();
+        let target = step01_target();
         let scene = target.scene.as_ref().expect("a step has a scene");
         let comparison = Comparison::new(&target, yours).expect("the pictures differ");
         bound_by_sky(&comparison, scene, number)
@@ -217,7 +217,7 @@ mod tests {
 
     #[test]
     fn number_in_each_column_is_found_from_the_sky() {
-        let target = target();
+        let target = step01_target();
         let scene = target.scene.as_ref().expect("a step has a scene");
         for (number, value, words) in [
             (D_U, 0.0017, "x of D_u = 0.0017 instead of 0.001807"),
@@ -226,7 +226,7 @@ mod tests {
         ] {
             let yours = picture(&number.camera_with(value), 1);
             let comparison = Comparison::new(&target, &yours).expect("the pictures differ");
-            let cameras = find_cameras(&comparison, scene, &Budget::new(10_000_000));
+            let cameras = describe_fitting_cameras(&comparison, scene, &Budget::new(10_000_000));
             assert_eq!(cameras, [words, "other colours of the directions"]);
         }
     }
@@ -259,24 +259,24 @@ mod tests {
         assert_eq!(bounds(&green, D_U), Some(f64::NEG_INFINITY..=f64::INFINITY));
     }
 
-    /// Changes one number of our camera, draws the picture of step 3, and runs `find_cameras` on
-    /// this picture.
-    fn cameras_of_step_3(number: MatrixNumber, value: f64) -> Vec<String> {
+    /// Changes one number of our camera, draws the picture of step 3, and runs
+    /// `describe_fitting_cameras` on this picture.
+    fn find_cameras_with_changed_number(number: MatrixNumber, value: f64) -> Vec<String> {
         let target = Target::of_locked("step03_nearest", step03_nearest::picture(&camera(), 1));
         let scene = target.scene.as_ref().expect("a step has a scene");
         let yours = step03_nearest::picture(&number.camera_with(value), 1);
         let comparison = Comparison::new(&target, &yours).expect("the pictures differ");
-        find_cameras(&comparison, scene, &Budget::new(10_000_000))
+        describe_fitting_cameras(&comparison, scene, &Budget::new(10_000_000))
     }
 
     #[test]
     fn multiples_of_our_number_and_shifts_by_whole_pixels_are_tried() {
         let twice = 2.0 * D_U.our_value();
         let words = format!("x of D_u = {:.12} instead of 0.001807", twice);
-        assert_eq!(cameras_of_step_3(D_U, twice), [words]);
+        assert_eq!(find_cameras_with_changed_number(D_U, twice), [words]);
         let three_rows_lower = V_0.our_value() + 3.0 * D_V.our_value();
         let words = format!("y of V_0 = {:.12} instead of 0.324364", three_rows_lower);
-        assert_eq!(cameras_of_step_3(V_0, three_rows_lower), [words]);
+        assert_eq!(find_cameras_with_changed_number(V_0, three_rows_lower), [words]);
     }
 
     #[test]

@@ -13,8 +13,8 @@ mod table;
 mod write_folder;
 
 pub use folder::FolderError;
-pub use names::{NamesError, normalize_name, read_names};
-pub use report::{ClassReport, OwnReport};
+pub use names::{NamesError, compose_characters, read_names};
+pub use report::{ClassReport, OwnPicturesReport};
 pub use scene_sheet::{SheetError, format_sheet, write_sheets};
 pub use write_folder::WriteFolderError;
 
@@ -55,7 +55,7 @@ pub fn report_on_class(
 pub fn report_on_own_pictures(
     folder: &Path,
     required: &[&'static str],
-) -> Result<OwnReport, FolderError> {
+) -> Result<OwnPicturesReport, FolderError> {
     let report = check_student(String::new(), find_own_pictures(folder)?, required);
-    Ok(OwnReport { report })
+    Ok(OwnPicturesReport { report })
 }

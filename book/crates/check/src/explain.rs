@@ -2,7 +2,7 @@
 
 use crate::Verdict;
 use crate::answer::{Cause, OptionDoubts, join_first};
-use crate::camera_fit::find_cameras;
+use crate::camera_fit::describe_fitting_cameras;
 use crate::changed_number::find_changed_numbers;
 use crate::comparison::{Budget, Comparison};
 use crate::facts::find_facts;
@@ -62,7 +62,7 @@ pub(crate) fn explain(yours: &ReaderPicture, target: &Target) -> Explanation {
     let options = target.scene.as_ref().and_then(|scene| find_options(scene, &yours.rgb));
     // Prefer a listed mistake to options with an angle that hardly anybody would type.
     if let Some(options) = &options
-        && (options.is_plain_angle() || mistakes.is_empty())
+        && (options.has_at_most_one_decimal() || mistakes.is_empty())
     {
         return explain_options(options, title, mistakes);
     }
@@ -86,7 +86,7 @@ pub(crate) fn explain(yours: &ReaderPicture, target: &Target) -> Explanation {
     let may_have_options = is_exercise && (whole_picture.is_none() || says_size);
     let pixels = comparison.iter().flat_map(|comparison| {
         let facts = if is_explained { vec![] } else { find_facts(comparison) };
-        describe_comparison(comparison, facts)
+        describe_wrong_pixels(comparison, facts)
     });
     // The most helpful lines come first: causes, then how the whole picture differs, then facts.
     let mut lines = describe_causes(&causes, options.as_ref())
@@ -124,7 +124,7 @@ fn find_unlisted_causes(comparison: &Comparison) -> Vec<Cause> {
     let Some(scene) = &comparison.target.scene else { return vec![] };
     let budget = Budget::new(MAX_RAYS);
     let numbers = find_changed_numbers(comparison, scene, &budget).into_iter();
-    let cameras = find_cameras(comparison, scene, &budget).into_iter();
+    let cameras = describe_fitting_cameras(comparison, scene, &budget).into_iter();
     let causes = numbers.map(Cause::SceneNumber).chain(cameras.map(Cause::Camera)).collect();
     if budget.is_spent() { vec![] } else { causes }
 }
@@ -179,7 +179,7 @@ fn describe_mistake(mistake: &Mistake) -> Vec<String> {
 /// Describes how a picture of the right size differs from the target: the facts, the number of
 /// wrong pixels, the `by_hand` tests to run, and one wrong pixel. Includes the tests of every step
 /// that takes part in drawing the picture, since any of these steps may be wrong.
-fn describe_comparison(comparison: &Comparison, facts: Vec<String>) -> Vec<String> {
+fn describe_wrong_pixels(comparison: &Comparison, facts: Vec<String>) -> Vec<String> {
     let Comparison { target, wrong, right, most_different } = comparison;
     let count = format!(
         "{} of {} pixels {} from {}, by up to {} of 255.",

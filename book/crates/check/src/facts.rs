@@ -1,7 +1,8 @@
 //! Finds facts: sentences that are true of the wrong pixels, whatever the cause.
 
 use crate::byte_facts::{
-    byte_curve_sentence, byte_map_sentence, channel_and_neighbour_sentences, one_colour_sentence,
+    bytes_of_our_bytes_sentence, bytes_of_our_intensities_sentence,
+    channel_and_neighbour_sentences, one_colour_sentence,
 };
 use crate::comparison::{Comparison, Pixel};
 use crate::regions::{colours_from_behind_sentence, count_regions, region_sentence};
@@ -26,12 +27,13 @@ const MIN_COLOURS: usize = 4;
 pub(crate) fn find_facts(comparison: &Comparison) -> Vec<String> {
     let scene = comparison.target.scene.as_ref();
     let regions = scene.map(|scene| count_regions(comparison, scene));
-    let is_varied = is_varied(&comparison.wrong);
-    let varied = scene.filter(|_| is_varied);
+    let are_many_and_varied = are_many_and_varied(&comparison.wrong);
+    let varied = scene.filter(|_| are_many_and_varied);
     // Too much light makes pixels white, too, and a curve describes it. So if a curve fits, we
     // don't look for undrawn pixels.
     let curve = varied.and_then(|scene| {
-        byte_curve_sentence(comparison, scene).or_else(|| byte_map_sentence(comparison, scene))
+        bytes_of_our_intensities_sentence(comparison, scene)
+            .or_else(|| bytes_of_our_bytes_sentence(comparison, scene))
     });
     let undrawn = if curve.is_none() { undrawn_sentence(comparison) } else { None };
     let mut facts: Vec<_> = undrawn.into_iter().collect();
@@ -44,7 +46,7 @@ pub(crate) fn find_facts(comparison: &Comparison) -> Vec<String> {
             }
             facts.extend(missing_light_sentence(&comparison.wrong, scene));
         }
-        if is_varied {
+        if are_many_and_varied {
             facts.extend(one_colour_sentence(&comparison.wrong));
             facts.extend(channel_and_neighbour_sentences(comparison));
         }
@@ -56,7 +58,7 @@ pub(crate) fn find_facts(comparison: &Comparison) -> Vec<String> {
 
 /// Whether there are enough wrong pixels, and whether they have enough different colours in our
 /// picture.
-fn is_varied(wrong: &[Pixel]) -> bool {
+fn are_many_and_varied(wrong: &[Pixel]) -> bool {
     let colours: BTreeSet<[u8; 3]> = wrong.iter().map(|pixel| pixel.ours).collect();
     wrong.len() >= MIN_PIXELS && colours.len() >= MIN_COLOURS
 }
@@ -113,8 +115,8 @@ mod tests {
             let pixels = (0..count).map(|k| pixel([k % colours, 0, 0]));
             pixels.collect::<Vec<_>>()
         };
-        assert!(is_varied(&pixels(16, 4)));
-        assert!(!is_varied(&pixels(15, 4)));
-        assert!(!is_varied(&pixels(16, 3)));
+        assert!(are_many_and_varied(&pixels(16, 4)));
+        assert!(!are_many_and_varied(&pixels(15, 4)));
+        assert!(!are_many_and_varied(&pixels(16, 3)));
     }
 }

@@ -56,8 +56,9 @@ mod wrong_pixel;
 pub use answer::{Answer, Cause, ComparedPictures, FAILURE_EXIT_CODE, Verdict};
 pub use check::{CheckError, check_png, check_scene_png};
 pub use class::{
-    ClassReport, FolderError, NamesError, OwnReport, SheetError, WriteFolderError, format_sheet,
-    normalize_name, read_names, report_on_class, report_on_own_pictures, write_sheets,
+    ClassReport, FolderError, NamesError, OwnPicturesReport, SheetError, WriteFolderError,
+    compose_characters, format_sheet, read_names, report_on_class, report_on_own_pictures,
+    write_sheets,
 };
 pub use png_file::PngError;
 pub use read_file::{ReadFileError, escape_for_terminal, read_bounded_file};

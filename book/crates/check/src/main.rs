@@ -1,9 +1,9 @@
 //! The command-line program `check`: its options, its output and its exit code.
 
 use check::{
-    Answer, CheckError, ClassReport, FAILURE_EXIT_CODE, OwnReport, check_png, check_scene_png,
-    escape_for_terminal, format_sheet, normalize_name, read_bounded_file, read_names,
-    report_on_class, report_on_own_pictures, run_on_threads, write_sheets,
+    Answer, CheckError, ClassReport, FAILURE_EXIT_CODE, OwnPicturesReport, check_png,
+    check_scene_png, compose_characters, escape_for_terminal, format_sheet, read_bounded_file,
+    read_names, report_on_class, report_on_own_pictures, run_on_threads, write_sheets,
 };
 use clap::builder::{NonEmptyStringValueParser, PossibleValuesParser, TypedValueParser};
 use clap::{ArgGroup, Parser};
@@ -37,7 +37,7 @@ struct Arguments {
     /// Prints the sheet for a name: the numbers of that name's scene, and problems to solve on
     /// paper. With a file, checks whether it is the picture of this scene
     #[arg(long, value_name = "NAME", group = "sheet", conflicts_with_all = ["name", "folder"])]
-    #[arg(value_parser = NonEmptyStringValueParser::new().map(|name| normalize_name(&name)))]
+    #[arg(value_parser = NonEmptyStringValueParser::new().map(|name| compose_characters(&name)))]
     scene: Option<String>,
     /// A file with the names of a class, one per line. With --out, writes a sheet for each name.
     /// With --in, each line is the full name of a student's folder, and the report says which
@@ -54,7 +54,7 @@ struct Arguments {
     answers: bool,
     /// A word that changes the scene of every name. It appears on no sheet
     #[arg(long, value_name = "WORD", requires = "sheet", conflicts_with_all = ["file", "folder"])]
-    #[arg(value_parser = NonEmptyStringValueParser::new().map(|word| normalize_name(&word)))]
+    #[arg(value_parser = NonEmptyStringValueParser::new().map(|word| compose_characters(&word)))]
     secret: Option<String>,
     /// The pictures that are worth a point, separated by commas (default: all that are found)
     #[arg(long, value_name = "NAMES", conflicts_with_all = ["file", "scene", "out"])]
@@ -137,7 +137,7 @@ enum Output {
     /// The report on a class.
     ClassReport(ClassReport),
     /// The report on a reader's own pictures.
-    OwnReport(OwnReport),
+    OwnPicturesReport(OwnPicturesReport),
     /// A sheet, or a list of the files that were written.
     Text(String),
 }
@@ -160,8 +160,8 @@ impl Output {
             (Self::ClassReport(report), OutputFormat::Json) => report.to_json(),
             (Self::ClassReport(report), OutputFormat::Csv) => report.to_csv(),
             (Self::ClassReport(report), OutputFormat::Plain) => report.to_table(),
-            (Self::OwnReport(report), OutputFormat::Json) => report.to_json(),
-            (Self::OwnReport(report), _) => report.to_table(),
+            (Self::OwnPicturesReport(report), OutputFormat::Json) => report.to_json(),
+            (Self::OwnPicturesReport(report), _) => report.to_table(),
             (Self::Text(text), OutputFormat::Json) => json::object([("text", json::quote(text))]),
             (Self::Text(text), _) => text.clone(),
         }
@@ -171,7 +171,7 @@ impl Output {
         match self {
             Self::Answer(answer) => answer.verdict.exit_code(),
             Self::ClassReport(report) => report.exit_code(),
-            Self::OwnReport(report) => report.exit_code(),
+            Self::OwnPicturesReport(report) => report.exit_code(),
             Self::Text(_) => 0,
         }
     }
@@ -229,7 +229,7 @@ fn run(task: Task) -> Result<Output, AnyError> {
             Output::Answer(check_file_and_save_difference(&file, &expected)?)
         }
         Task::CheckFolder { required } => {
-            Output::OwnReport(report_on_own_pictures(Path::new("."), &required)?)
+            Output::OwnPicturesReport(report_on_own_pictures(Path::new("."), &required)?)
         }
         Task::ReportOnClass { folder, students, required } => {
             Output::ClassReport(report_on_class(&folder, students.as_deref(), &required)?)

@@ -20,7 +20,7 @@ const MAX_RAYS: u32 = 1 << 23;
 const PROBE_RAYS: u32 = 6_000_000;
 
 /// The number of pixels that are compared first, since they rule out most choices of options.
-const PROBES: usize = 200;
+const PROBE_PIXELS: usize = 200;
 
 /// The allowance for rounding errors in a byte of the sky.
 const ROUNDING: f64 = 1e-6;
@@ -54,7 +54,7 @@ pub(crate) struct Options {
 
 impl Options {
     /// Whether the angle has at most one decimal, so that somebody is likely to type it.
-    pub fn is_plain_angle(&self) -> bool {
+    pub fn has_at_most_one_decimal(&self) -> bool {
         let tenths = 10.0 * self.fov_degrees;
         tenths == tenths.round()
     }
@@ -126,9 +126,9 @@ pub(crate) fn find_options(scene: &StepScene, yours: &RgbImage) -> Option<Option
     }
     let all_offsets: Vec<_> = (1..=16).map(sub_pixel_offsets).collect();
     let (probe_budget, budget) = (Budget::new(PROBE_RAYS), Budget::new(2 * MAX_RAYS));
-    let mut border_probes: Vec<_> = border_positions(size).take(PROBES).collect();
-    let mut probes: Vec<_> = scattered_positions(size).take(PROBES).collect();
-    for fov_degrees in plain_angles().chain(fine_angles_that_fit_border(yours)) {
+    let mut border_probes: Vec<_> = border_positions(size).take(PROBE_PIXELS).collect();
+    let mut probes: Vec<_> = scattered_positions(size).take(PROBE_PIXELS).collect();
+    for fov_degrees in angles_with_at_most_one_decimal().chain(fine_angles_that_fit_border(yours)) {
         let camera = Camera::new(columns, rows, fov_degrees.to_radians());
         let may_be_right = |position: &_| may_be_right(scene, &camera, yours, *position);
         if !probe_budget.holds_for_all(&mut border_probes, 1, may_be_right) {
@@ -156,7 +156,7 @@ pub(crate) fn find_options(scene: &StepScene, yours: &RgbImage) -> Option<Option
 }
 
 /// Returns angles in degrees: the default, then whole numbers, then numbers with one decimal.
-fn plain_angles() -> impl Iterator<Item = f64> {
+fn angles_with_at_most_one_decimal() -> impl Iterator<Item = f64> {
     let tenths = (1..1800).filter(|number| number % 10 != 0).map(|number| f64::from(number) / 10.0);
     iter::once(FOV_DEGREES).chain((1..180).map(f64::from)).chain(tenths)
 }
@@ -271,8 +271,8 @@ mod tests {
     }
 
     #[test]
-    fn plain_angles_come_once_and_the_default_first() {
-        let angles: Vec<_> = plain_angles().collect();
+    fn angles_come_once_and_the_default_first() {
+        let angles: Vec<_> = angles_with_at_most_one_decimal().collect();
         assert_eq!((angles[0], angles[1]), (60.0, 1.0));
         assert_eq!(angles.len(), 1 + 179 + 1799 - 179);
         assert_eq!(angles.last(), Some(&179.9));
@@ -303,7 +303,7 @@ mod tests {
         let sentence = "So may the right program with --fov 75.5 --width 64 --aspect 64:32 \
                         --samples 2: 100 of 2048 pixels were compared.";
         assert_eq!(some.same_picture_sentence(), sentence);
-        assert!(all.is_plain_angle());
-        assert!(!Options { fov_degrees: 75.55, ..all }.is_plain_angle());
+        assert!(all.has_at_most_one_decimal());
+        assert!(!Options { fov_degrees: 75.55, ..all }.has_at_most_one_decimal());
     }
 }

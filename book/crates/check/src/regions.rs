@@ -28,7 +28,7 @@ pub(crate) fn count_regions(comparison: &Comparison, scene: &StepScene) -> Vec<R
     let empty_region = |name| Region { name, pixel_count: 0, wrong_count: 0, from_behind_count: 0 };
     let mut regions: Vec<_> = names.into_iter().map(empty_region).collect();
     let is_from_behind = |Pixel { ray, yours, .. }: &Pixel| {
-        let colours = scene.object_hits(ray).map(|hit| scene.colour_at_hit(ray, hit));
+        let colours = scene.first_hits_on_objects(ray).map(|hit| scene.colour_at_hit(ray, hit));
         colours.chain([direction_colour(ray)]).any(|colour| rgb8(colour).0 == *yours)
     };
     let index = |pixel: &Pixel| pixel.hit.map_or(0, |hit| hit.object + 1);

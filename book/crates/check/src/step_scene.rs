@@ -65,7 +65,7 @@ impl StepScene {
     }
 
     /// The first hit of a ray on each object, whether or not the hit is visible.
-    pub fn object_hits(&self, ray: &Ray) -> impl Iterator<Item = ObjectHit> {
+    pub fn first_hits_on_objects(&self, ray: &Ray) -> impl Iterator<Item = ObjectHit> {
         self.own.scene.objects.iter().enumerate().filter_map(|(k, object)| {
             let t = object.sphere.intersect(ray).first_hit()?;
             Some(ObjectHit { t, object: k })
@@ -74,7 +74,7 @@ impl StepScene {
 
     /// The nearest of all hits along a ray. It is the only visible hit.
     pub fn visible_hit(&self, ray: &Ray) -> Option<ObjectHit> {
-        self.object_hits(ray).min_by(|a, b| a.t.total_cmp(&b.t))
+        self.first_hits_on_objects(ray).min_by(|a, b| a.t.total_cmp(&b.t))
     }
 
     /// The intensity of an object at a hit, whether or not the hit is visible.

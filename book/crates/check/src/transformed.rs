@@ -43,7 +43,7 @@ pub(crate) fn describe_transformed_or_uniform(
     }
     let mut clauses = turned_or_swapped_clauses(picture, ours);
     if clauses.is_empty() {
-        clauses.extend(cut_or_enlarged_clause(picture, ours));
+        clauses.extend(part_or_enlarged_clause(picture, ours));
     }
     let is_ours = !clauses.is_empty();
     is_ours.then(|| format!("This is {title}, {}.", clauses.join(", or ")))
@@ -82,7 +82,7 @@ fn turned_or_swapped_clauses(yours: &RgbImage, ours: &RgbImage) -> Vec<String> {
 
 /// Returns a clause, such as `enlarged 2 times`, if your picture is a part of our picture, or if it
 /// is all of our picture enlarged.
-fn cut_or_enlarged_clause(yours: &RgbImage, ours: &RgbImage) -> Option<String> {
+fn part_or_enlarged_clause(yours: &RgbImage, ours: &RgbImage) -> Option<String> {
     let ((w, h), (columns, rows)) = (yours.dimensions(), ours.dimensions());
     if let Some((i, j)) = find_corner(yours, ours) {
         let (right, low) = (i + w - 1, j + h - 1);
@@ -121,7 +121,7 @@ mod tests {
     }
 
     #[test]
-    fn turned_picture_is_described_by_its_turn() {
+    fn turned_mirrored_or_recoloured_picture_is_described() {
         use image::imageops::{flip_horizontal, flip_vertical, rotate90, rotate180, rotate270};
         let ours = numbered_picture(20, 10);
         let clauses = |yours: &RgbImage| turned_or_swapped_clauses(yours, &ours);
@@ -142,7 +142,7 @@ mod tests {
     #[test]
     fn part_is_described_by_its_position_and_enlarged_picture_by_its_factor() {
         let ours = numbered_picture(20, 10);
-        let clause = |yours: &RgbImage| cut_or_enlarged_clause(yours, &ours);
+        let clause = |yours: &RgbImage| part_or_enlarged_clause(yours, &ours);
         let part = RgbImage::from_fn(15, 7, |i, j| ours[(i + 4, j + 2)]);
         let words = "cut out: its columns 4 to 18 and rows 2 to 8";
         assert_eq!(clause(&part).as_deref(), Some(words));

@@ -141,7 +141,7 @@ impl Mask {
     }
 
     /// Whether a shape contains all pixels that are `Inside`, and no pixels that are `Outside`.
-    fn is_shape(&self, contains: impl Fn(u32, u32) -> bool) -> bool {
+    fn fits_shape(&self, contains: impl Fn(u32, u32) -> bool) -> bool {
         self.pixels().all(|(i, j, membership)| match membership {
             Membership::Inside => contains(i, j),
             Membership::Possible => true,
@@ -185,7 +185,7 @@ impl Mask {
         let bars: Vec<_> = sides.into_iter().filter(|(_, width)| *width > 0).collect();
         // A single bar isn't a border but a rectangle, which a loop leaves undrawn if the loop ends
         // too soon. A border also has to surround enough pixels.
-        if bars.len() < 2 || kept.len() < MIN_PIXELS || !self.is_shape(is_border) {
+        if bars.len() < 2 || kept.len() < MIN_PIXELS || !self.fits_shape(is_border) {
             return None;
         }
         let shape = if bars.len() == 4 { "a frame" } else { "bars" };
@@ -205,12 +205,12 @@ impl Mask {
         let columns: BTreeSet<_> = self.inside_positions().map(|(i, _)| i).collect();
         let rows: BTreeSet<_> = self.inside_positions().map(|(_, j)| j).collect();
         let is_crossing = |i: u32, j: u32| columns.contains(&i) && rows.contains(&j);
-        let is_shape = self.is_shape(is_crossing);
+        let fits_shape = self.fits_shape(is_crossing);
         let words = columns_of_rows(
             &self.format_lines(LineKind::Column, &columns),
             &self.format_lines(LineKind::Row, &rows),
         )?;
-        is_shape.then_some(Shape { words, cause: ShapeCause::Loop })
+        fits_shape.then_some(Shape { words, cause: ShapeCause::Loop })
     }
 
     /// Finds a shape that consists of whole columns and whole rows, such as the lines between
@@ -222,10 +222,11 @@ impl Mask {
             || self.pixels().filter(|(_, _, membership)| *membership == Membership::Outside);
         let kept_columns: BTreeSet<_> = outside().map(|(i, _, _)| i).collect();
         let kept_rows: BTreeSet<_> = outside().map(|(_, j, _)| j).collect();
-        let is_shape = self.is_shape(|i, j| !kept_columns.contains(&i) || !kept_rows.contains(&j));
+        let fits_shape =
+            self.fits_shape(|i, j| !kept_columns.contains(&i) || !kept_rows.contains(&j));
         let columns = &columns - &kept_columns;
         let rows = &rows - &kept_rows;
-        if !is_shape || columns.is_empty() || rows.is_empty() {
+        if !fits_shape || columns.is_empty() || rows.is_empty() {
             return None;
         }
         let lines = [
@@ -294,8 +295,8 @@ impl Mask {
         let inside: Vec<_> = self.inside_positions().map(|(i, j)| number(i, j)).collect();
         (2..=LARGEST_PERIOD).find_map(|period| {
             let remainders: BTreeSet<_> = inside.iter().map(|number| number % period).collect();
-            let is_shape = self.is_shape(|i, j| remainders.contains(&(number(i, j) % period)));
-            is_shape.then_some((period, remainders))
+            let fits_shape = self.fits_shape(|i, j| remainders.contains(&(number(i, j) % period)));
+            fits_shape.then_some((period, remainders))
         })
     }
 
@@ -329,10 +330,10 @@ fn columns_of_rows(columns: &Option<String>, rows: &Option<String>) -> Option<St
 
 /// Describes a pattern that repeats, such as `every 3rd pixel`. If each period contains two pixels,
 /// the description is of the form `2 of every 5 pixels`. `word` is `pixel` or `diagonal`.
-fn format_period(word: &str, period: u32, count_per_period: usize) -> String {
+fn format_period(pixel_or_diagonal: &str, period: u32, count_per_period: usize) -> String {
     match count_per_period {
-        1 => format!("every {} {word}", format_ordinal(period)),
-        count => format!("{count} of every {period} {word}s"),
+        1 => format!("every {} {pixel_or_diagonal}", format_ordinal(period)),
+        count => format!("{count} of every {period} {pixel_or_diagonal}s"),
     }
 }
 

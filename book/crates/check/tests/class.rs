@@ -2,7 +2,7 @@
 
 use crate::program::{run_check, write_files};
 use crate::{
-    assert_locked, create_empty_folder, draw_named_scene, encode, locked_file, map_locked,
+    assert_locked, create_empty_folder, draw_scene_generated_from, encode, locked_file, map_locked,
 };
 use course::{Step, camera_with_fov, camera_with_size};
 use std::fs;
@@ -179,7 +179,7 @@ fn read_folder(folder: &Path) -> Vec<(String, String)> {
 #[test]
 fn scene_sheets_are_as_locked() {
     let folder = create_empty_folder("sheets");
-    let dora = encode(draw_named_scene("D\u{f6}ra"));
+    let dora = encode(draw_scene_generated_from("D\u{f6}ra"));
     write_files(
         &folder,
         [

@@ -14,7 +14,7 @@ pub struct Figure {
     pub content: Content,
     /// The name of the figure whose values this figure shows. None if this figure has values of its
     /// own.
-    pub follows: Option<&'static str>,
+    pub values_from: Option<&'static str>,
     /// The numbers that the reader can set.
     pub parameters: Vec<Parameter>,
     /// The marks that the reader can drag.
@@ -100,7 +100,7 @@ impl Figure {
         Self {
             name,
             content: content.without_title_and_caption_in_modules(),
-            follows: None,
+            values_from: None,
             parameters: vec![],
             handles: vec![],
             readouts: |_| Readouts::new(),
@@ -122,7 +122,7 @@ impl Figure {
 
     /// Returns the default values, but with the probe at the pixel (i, j). Returns None if there is
     /// no probe, or no such pixel.
-    pub fn values_at_pixel(&self, [i, j]: [f64; 2]) -> Option<ParameterValues> {
+    pub fn default_values_with_probe_at(&self, [i, j]: [f64; 2]) -> Option<ParameterValues> {
         let probe = self.probe()?;
         let mut values = self.default_values();
         values.set(probe.horizontal, i);
@@ -165,8 +165,9 @@ mod tests {
 
     #[test]
     fn only_a_pixel_of_the_picture_can_be_probed() {
-        let values =
-            |name, pixel| find_figure(name).expect("the figure exists").values_at_pixel(pixel);
+        let values = |name, pixel| {
+            find_figure(name).expect("the figure exists").default_values_with_probe_at(pixel)
+        };
         let corner = values("step02_sphere", [639.0, 0.0]).expect("the picture has this pixel");
         assert_eq!((corner[I], corner[J]), (639.0, 0.0));
         for outside in [[640.0, 0.0], [0.0, -1.0], [0.5, 0.0], [f64::NAN, 0.0]] {

@@ -189,7 +189,7 @@ fn ids_in_a_drawing_begin_with_the_name_of_its_figure() {
 
 /// Lists the handles. Each has its position at these values, and the values of its parameters after
 /// it is dragged.
-fn handle_lines(figure: &Figure, values: &ParameterValues) -> String {
+fn describe_handles(figure: &Figure, values: &ParameterValues) -> String {
     let lines = figure.handles.iter().map(|handle| {
         let position = (handle.locate)(values).map(DVec2::round);
         let dragged = figure.drag_handle(values, handle, dvec2(300.0, 120.0));
@@ -203,7 +203,7 @@ fn handle_lines(figure: &Figure, values: &ParameterValues) -> String {
 fn dragged_handles_are_as_locked() {
     let parts = FIGURES.iter().flat_map(|figure| {
         let all = default_and_spread_values(figure).into_iter();
-        all.map(|values| handle_lines(figure, &values))
+        all.map(|values| describe_handles(figure, &values))
     });
     let own_scene = find_figure("own_scene").expect("the figure exists");
     let cameras = [
@@ -214,7 +214,10 @@ fn dragged_handles_are_as_locked() {
         "camera-position-sideways:6,camera-position-backwards:-7.4,camera-target-backwards:-7.4",
     ];
     let cameras = cameras.map(|address| {
-        handle_lines(own_scene, &parse_address(own_scene, address).expect("the address is valid"))
+        describe_handles(
+            own_scene,
+            &parse_address(own_scene, address).expect("the address is valid"),
+        )
     });
     assert_snapshot!("handles", parts.chain(cameras).collect::<Vec<_>>().join("\n"));
 }

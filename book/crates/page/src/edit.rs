@@ -1,7 +1,7 @@
 //! Replies to requests from the line editor.
 
 use crate::expressions::{
-    Expression, Fault, LineRefusal, draw_some_pixels, draw_step_of_first_line, parse_expression,
+    CompiledLine, Fault, LineRefusal, compile_line, draw_some_pixels, draw_step_of_first_line,
 };
 use crate::{EditedLine, RequestError};
 use course::{
@@ -13,10 +13,10 @@ use image::RgbImage;
 use std::ops::{Range, RangeInclusive};
 
 /// The picture widths that a page may ask for.
-const ALLOWED_COLUMNS: RangeInclusive<u32> = 16..=FULL_SIZE;
+const ALLOWED_COLUMNS: RangeInclusive<u32> = 16..=FULL_WIDTH;
 
 /// The width of the book's pictures.
-const FULL_SIZE: u32 = PICTURE_COLUMNS;
+const FULL_WIDTH: u32 = PICTURE_COLUMNS;
 
 /// The maximum number of operations per picture: 17 for each pixel at full size. In a browser, this
 /// many operations take about 150 ms, in addition to the time for the book's own code.
@@ -60,9 +60,9 @@ impl<'a> Edit<'a> {
     }
 
     /// Compiles all lines.
-    fn compile_lines(&self) -> Result<Vec<Expression>, LineRefusal> {
+    fn compile_lines(&self) -> Result<Vec<CompiledLine>, LineRefusal> {
         let parse = |(place, text): &(Place, &str)| {
-            let expression = parse_expression(place, text);
+            let expression = compile_line(place, text);
             expression.map_err(|refusal| LineRefusal { place: place.name, refusal })
         };
         self.lines.iter().map(parse).collect()
@@ -72,20 +72,22 @@ impl<'a> Edit<'a> {
     /// width and height instead.
     fn draw(&self) -> Result<RgbImage, LineRefusal> {
         let expressions = self.compile_lines()?;
-        let draw = |columns, operations| draw_step_of_first_line(&expressions, columns, operations);
+        let draw = |columns, max_operations| {
+            draw_step_of_first_line(&expressions, columns, max_operations)
+        };
         let takes_too_long = |result: &Result<_, LineRefusal>| matches!(result, Err(error) if error.refusal.fault == Fault::OutOfOperations);
-        if self.columns < FULL_SIZE {
+        if self.columns < FULL_WIDTH {
             return draw(self.columns, MAX_OPERATIONS);
         }
         // First draw a hundredth of the pixels. If that shows that all pixels would take more than
         // twice the limit, don't even try full size.
-        if !takes_too_long(&draw(FULL_SIZE / 10, 2 * MAX_OPERATIONS / 100)) {
-            let result = draw(FULL_SIZE, MAX_OPERATIONS);
+        if !takes_too_long(&draw(FULL_WIDTH / 10, 2 * MAX_OPERATIONS / 100)) {
+            let result = draw(FULL_WIDTH, MAX_OPERATIONS);
             if !takes_too_long(&result) {
                 return result;
             }
         }
-        draw(FULL_SIZE / 2, MAX_OPERATIONS)
+        draw(FULL_WIDTH / 2, MAX_OPERATIONS)
     }
 
     /// Replies with the picture and the names that the first line may use. If a line is refused,
@@ -94,8 +96,10 @@ impl<'a> Edit<'a> {
         match self.draw() {
             Ok(picture) => {
                 let note = match (self.columns, picture.width()) {
-                    (FULL_SIZE, FULL_SIZE) => describe_picture(self, &picture).unwrap_or_default(),
-                    (FULL_SIZE, _) => "Drawn smaller, as it takes long to compute.".to_owned(),
+                    (FULL_WIDTH, FULL_WIDTH) => {
+                        describe_picture(self, &picture).unwrap_or_default()
+                    }
+                    (FULL_WIDTH, _) => "Drawn smaller, as it takes long to compute.".to_owned(),
                     _ => String::new(),
                 };
                 let (place, _) = &self.lines[0];
@@ -167,9 +171,9 @@ fn describe_later_steps(edit: &Edit) -> Option<String> {
                  ball, not at which t.";
     // Each of these pixels may take eight times as many operations as a pixel at full size, because
     // a later step may evaluate the lines for each of its nine balls.
-    let operations = 8 * MAX_OPERATIONS / u64::from(PIXEL_SPACING * PIXEL_SPACING);
-    let draw = |step: Step, lines: &[Expression]| {
-        draw_some_pixels(step, lines, PIXEL_SPACING, FULL_SIZE, operations)
+    let max_operations = 8 * MAX_OPERATIONS / u64::from(PIXEL_SPACING * PIXEL_SPACING);
+    let draw = |step: Step, lines: &[CompiledLine]| {
+        draw_some_pixels(step, lines, PIXEL_SPACING, FULL_WIDTH, max_operations)
     };
     for step in [Step::Nearest, Step::Diffuse, Step::Phong] {
         let number = step.number();
@@ -187,7 +191,7 @@ fn describe_later_steps(edit: &Edit) -> Option<String> {
             return Some(format!("{blind} The picture of step {number} would show it."));
         }
     }
-    let count = FULL_SIZE.div_ceil(PIXEL_SPACING) * (FULL_SIZE * 9 / 16).div_ceil(PIXEL_SPACING);
+    let count = FULL_WIDTH.div_ceil(PIXEL_SPACING) * (FULL_WIDTH * 9 / 16).div_ceil(PIXEL_SPACING);
     Some(format!(
         "Not one pixel differs from the book's picture. In each of steps 3 to 5, {},{:03} pixels \
          were tried, and none differs there, either.",

@@ -34,14 +34,14 @@ pub struct DrawnMistakes {
 /// Draws the mistakes that have no row in the table, or lack a small picture.
 pub fn draw_new_mistakes() -> XtaskResult<()> {
     let mut drawn_mistakes = DrawnMistakes::read()?;
-    let new: Vec<_> = drawn_mistakes.new_mistakes().copied().collect();
+    let new: Vec<_> = drawn_mistakes.mistakes_to_draw().copied().collect();
     println!("Mistakes to draw: {}", new.len());
     for batch in new.chunks(BATCH_SIZE) {
         let mistakes: Vec<_> = batch.iter().map(|(_, mistake)| *mistake).collect();
         for ((key, mistake), pictures) in
             batch.iter().zip(mistake_program::draw_mistakes(&mistakes)?)
         {
-            drawn_mistakes.insert(*key, mistake, &pictures);
+            drawn_mistakes.record(*key, mistake, &pictures);
         }
         drawn_mistakes.write()?;
         println!("{} drawn", batch.len());
@@ -85,7 +85,7 @@ impl DrawnMistakes {
 
     /// The mistakes that have to be drawn: those that haven't been drawn since their code or the
     /// right pictures last changed, and those that lack a small picture.
-    pub fn new_mistakes(&self) -> impl Iterator<Item = &(u32, &'static Mistake)> {
+    pub fn mistakes_to_draw(&self) -> impl Iterator<Item = &(u32, &'static Mistake)> {
         self.all.iter().filter(|(key, mistake)| {
             let has_picture =
                 |picture: &MistakePicture| self.small_pictures.contains_key(picture.name);
@@ -93,7 +93,7 @@ impl DrawnMistakes {
         })
     }
 
-    fn insert(&mut self, key: u32, mistake: &Mistake, pictures: &DrawnPictures) {
+    fn record(&mut self, key: u32, mistake: &Mistake, pictures: &DrawnPictures) {
         let hash = |(step, picture): &(Step, Option<RgbImage>)| {
             let hash = hash_picture(picture.as_ref()?);
             (!self.right.contains(&(step.name(), hash))).then_some(hash)
@@ -161,7 +161,7 @@ mod tests {
     use crate::mistake_program::title_and_file;
 
     fn new_titles(drawn_mistakes: &DrawnMistakes) -> Vec<String> {
-        drawn_mistakes.new_mistakes().map(|(_, mistake)| title_and_file(mistake)).collect()
+        drawn_mistakes.mistakes_to_draw().map(|(_, mistake)| title_and_file(mistake)).collect()
     }
 
     #[test]

@@ -15,7 +15,7 @@ const FOLDERS: [&str; 5] =
 /// - the file that contains the hash;
 /// - the folder of mistakes, which a page loads separately;
 /// - tests and benchmarks.
-const SKIPPED_NAMES: [&str; 4] = ["modules.txt", "course/mistakes", "tests", "benches"];
+const SKIPPED_PATH_ENDS: [&str; 4] = ["modules.txt", "course/mistakes", "tests", "benches"];
 
 /// Sources that a page shows for readers to copy. In these files, comments and indentation are
 /// hashed, too.
@@ -55,7 +55,7 @@ fn push_source_files(folder: &Path, files: &mut Vec<PathBuf>) -> XtaskResult<()>
     for entry in fs::read_dir(folder).map_err(XtaskError::of_file(folder))? {
         let path = entry.map_err(XtaskError::of_file(folder))?.path();
         let end = path.extension().and_then(|end| end.to_str()).unwrap_or_default();
-        if SKIPPED_NAMES.iter().any(|end| path.ends_with(end)) {
+        if SKIPPED_PATH_ENDS.iter().any(|end| path.ends_with(end)) {
             continue;
         }
         if path.is_dir() {

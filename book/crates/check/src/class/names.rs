@@ -36,7 +36,7 @@ pub fn read_names(list: &Path) -> Result<Vec<String>, NamesError> {
         .lines()
         .map(str::trim)
         .filter(|name| !name.is_empty())
-        .map(normalize_name)
+        .map(compose_characters)
         .collect();
     match names.len() {
         0 => Err(NamesError::Empty(printable)),
@@ -47,13 +47,13 @@ pub fn read_names(list: &Path) -> Result<Vec<String>, NamesError> {
 
 /// Converts a name to NFC, in which each letter is one character. macOS splits the "ü" in a file
 /// name into two characters, "u" and a diaeresis.
-pub fn normalize_name(name: &str) -> String {
+pub fn compose_characters(name: &str) -> String {
     name.nfc().collect()
 }
 
 /// Returns the normalized name of a student's folder, or None if the name isn't UTF-8.
 fn normalized_folder_name(student: &StudentFolder) -> Option<String> {
-    student.name.to_str().map(normalize_name)
+    student.name.to_str().map(compose_characters)
 }
 
 /// Names that several folders have, each in a different Unicode form.
@@ -112,7 +112,7 @@ mod tests {
 
     #[test]
     fn names_in_different_unicode_forms_are_equal() {
-        assert_eq!(normalize_name("Do\u{308}ra"), "D\u{f6}ra");
+        assert_eq!(compose_characters("Do\u{308}ra"), "D\u{f6}ra");
         let students = [student("Do\u{308}ra"), student("D\u{f6}ra"), student("Bob")];
         let duplicates = DuplicateNames::new(&students);
         let notes = students.each_ref().map(|student| duplicates.note(student));

@@ -21,7 +21,7 @@ pub struct ClassReport {
 
 /// The report on a reader's own pictures.
 #[derive(Debug)]
-pub struct OwnReport {
+pub struct OwnPicturesReport {
     pub(crate) report: StudentReport,
 }
 
@@ -32,7 +32,7 @@ impl ClassReport {
     /// - 1 if a picture that counts towards the points hasn't earned its point
     /// - 0 otherwise
     pub fn exit_code(&self) -> u8 {
-        if !self.skipped_paths.is_empty() || self.students.iter().any(needs_a_person) {
+        if !self.skipped_paths.is_empty() || self.students.iter().any(needs_a_look) {
             2
         } else {
             self.students.iter().any(|student| student.points() < student.max_points()).into()
@@ -114,7 +114,7 @@ impl ClassReport {
     }
 }
 
-impl OwnReport {
+impl OwnPicturesReport {
     /// The program's exit code is the first of these that applies:
     ///
     /// - 2 if there are no pictures, or if a picture is missing or unreadable
@@ -252,7 +252,7 @@ fn student_feedback(student: &StudentReport) -> String {
 
 /// Whether a person should look at a student's folder, because something is missing, unreadable or
 /// skipped, or because there is a note on the student.
-fn needs_a_person(student: &StudentReport) -> bool {
+fn needs_a_look(student: &StudentReport) -> bool {
     !student.notes.is_empty()
         || !student.skipped_paths.is_empty()
         || has_missing_or_unreadable(student)

@@ -240,7 +240,7 @@ fn problem_pixel_of_ray(scene: &StepScene, position: (u32, u32), ray: Ray) -> Op
     let objects = &scene.own.scene.objects;
     let is_ball = |hit: &ObjectHit| hit.object != GROUND;
     let visible = scene.visible_hit(&ray).filter(is_ball)?;
-    let balls: Vec<_> = scene.object_hits(&ray).filter(is_ball).collect();
+    let balls: Vec<_> = scene.first_hits_on_objects(&ray).filter(is_ball).collect();
     let is_clear = |hit: &ObjectHit| discriminant(&objects[hit.object].sphere, &ray) > 0.5;
     balls.iter().all(is_clear).then_some(ProblemPixel { position, ray, balls, visible })
 }

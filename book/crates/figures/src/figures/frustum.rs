@@ -55,13 +55,13 @@ fn top_and_bottom_rays() -> [Ray; 2] {
 
 /// How much of a ball is left between the two planes.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Rest {
+enum VisiblePart {
     None,
     Part,
     All,
 }
 
-impl Rest {
+impl VisiblePart {
     fn new(sphere: &Sphere, [near, far]: [f64; 2]) -> Self {
         let (depth, radius) = (-sphere.centre.z, sphere.radius);
         if depth + radius <= near || depth - radius >= far {
@@ -98,9 +98,9 @@ fn draw(values: &ParameterValues) -> Drawing {
     }
     let shading = Shading::new("frustum-ball", TO_LIGHT);
     for sphere in BALLS {
-        let rest = Rest::new(&sphere, planes);
+        let rest = VisiblePart::new(&sphere, planes);
         let (centre, radius) = (side_view_position(sphere.centre), VIEW.scale.x * sphere.radius);
-        if rest == Rest::None {
+        if rest == VisiblePart::None {
             drawing.circle("behind", centre, radius);
         } else {
             drawing.ball(&shading, centre, DVec2::splat(radius));
@@ -127,13 +127,13 @@ mod tests {
     fn planes_leave_all_a_part_or_nothing_of_a_ball() {
         let ball = Sphere { centre: DVec3::new(0.0, 0.0, -3.0), radius: 1.0 };
         for (planes, rest) in [
-            ([1.0, 2.0], Rest::None),
-            ([1.0, 3.0], Rest::Part),
-            ([2.0, 4.0], Rest::All),
-            ([2.5, 5.0], Rest::Part),
-            ([4.0, 5.0], Rest::None),
+            ([1.0, 2.0], VisiblePart::None),
+            ([1.0, 3.0], VisiblePart::Part),
+            ([2.0, 4.0], VisiblePart::All),
+            ([2.5, 5.0], VisiblePart::Part),
+            ([4.0, 5.0], VisiblePart::None),
         ] {
-            assert_eq!(Rest::new(&ball, planes), rest, "{planes:?}");
+            assert_eq!(VisiblePart::new(&ball, planes), rest, "{planes:?}");
         }
     }
 }

@@ -43,12 +43,12 @@ pub fn figure() -> Figure {
 
 fn draw(values: &ParameterValues) -> Drawing {
     let mut drawing = Drawing::new(300.0);
-    draw_beam(&mut drawing, dvec2(106.0, 210.0), 0.0);
-    draw_beam(&mut drawing, VIEW.origin, values[ANGLE]);
+    draw_beam_on_ground(&mut drawing, dvec2(106.0, 210.0), 0.0);
+    draw_beam_on_ground(&mut drawing, VIEW.origin, values[ANGLE]);
     drawing
 }
 
-fn draw_beam(drawing: &mut Drawing, ground: DVec2, degrees: f64) {
+fn draw_beam_on_ground(drawing: &mut Drawing, ground: DVec2, degrees: f64) {
     let angle = degrees.to_radians();
     let l = direction_left_of_up(degrees);
     let to_light = dvec2(l.x, -l.y);

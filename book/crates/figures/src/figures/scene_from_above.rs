@@ -26,7 +26,7 @@ const CONTENT: Content = Content::Drawing {
 /// the line of the ray.
 pub fn figure() -> Figure {
     Figure {
-        follows: Some("step03_nearest"),
+        values_from: Some("step03_nearest"),
         parameters: step03::figure().parameters,
         ..Figure::new("scene-from-above", CONTENT)
     }

@@ -49,13 +49,13 @@ fn draw(values: &ParameterValues) -> Drawing {
     let mut drawing = Drawing::new(362.0);
     for (case, (start, _)) in STARTS.iter().enumerate() {
         let ray = Ray { start: values.point(*start).extend(0.0), direction: DVec3::X };
-        draw_case(&mut drawing, &ray, circle_view(case));
+        draw_ray_and_parabola(&mut drawing, &ray, circle_view(case));
     }
     drawing.label("", dvec2(240.0, 350.0), "$at$² + $bt$ + $c$ along each ray");
     drawing
 }
 
-fn draw_case(drawing: &mut Drawing, ray: &Ray, circle_view: View) {
+fn draw_ray_and_parabola(drawing: &mut Drawing, ray: &Ray, circle_view: View) {
     let x = circle_view.origin.x;
     // The parabola is straight below the ray, with t = 0 below the start.
     let origin = dvec2(x + 33.0 * ray.start.x, 278.0);

@@ -20,7 +20,7 @@ pub fn format_program(own: &OwnScene) -> String {
     replace_body(&mut program, "my_scene", &scene_body(own));
     replace_body(&mut program, "my_camera", &camera_body(own));
     if own.has_mirrors {
-        replace_body(&mut program, "picture", &mirrors_body(own));
+        replace_body(&mut program, "picture", &picture_body_with_mirrors(own));
     }
     program
 }
@@ -82,7 +82,7 @@ fn camera_body(own: &OwnScene) -> String {
 /// The body of `picture` for a scene with shadows and mirrors. The body calls the function `colour`
 /// of `mirror.rs`, and gives each ball a `k`: the fraction of the ball's colour that is a mirror
 /// image.
-fn mirrors_body(own: &OwnScene) -> String {
+fn picture_body_with_mirrors(own: &OwnScene) -> String {
     let arms = zip(&own.scene.objects, &own.mirror_parts)
         .map(|(object, k)| format!("            {:?} => {k:?},\n", object.name));
     format!(

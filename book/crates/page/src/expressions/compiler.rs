@@ -1,9 +1,9 @@
 //! Compiles a line, or refuses it if Rust would refuse it.
 
-use crate::expressions::evaluation::{Computation, Expression, Interruption};
+use crate::expressions::evaluation::{CompiledLine, Computation, Interruption};
 use crate::expressions::functions::{Function, find_function, remainder_operations};
 use crate::expressions::operation::{
-    Operation, OperationKind, range_of, split_operation, tokens_without_spaces,
+    Operation, OperationKind, range_of, split_operation, write_without_spaces,
 };
 use crate::expressions::part::{Code, Part, compile_literal};
 use crate::expressions::refusal::{Fault, Refusal, refuse};
@@ -25,18 +25,18 @@ pub struct Compiler<'a> {
 }
 
 /// Compiles what the reader wrote at a place.
-pub fn parse_expression(place: &Place, text: &str) -> Result<Expression, Refusal> {
+pub fn compile_line(place: &Place, text: &str) -> Result<CompiledLine, Refusal> {
     let statements = parse_syntax(place, text)?;
     let mut compiler = Compiler { place, text, names: vec![] };
     for (name, value_type) in &place.variables {
-        let code = compiler.next_slot(*value_type, false);
+        let code = compiler.code_of_free_slot(*value_type, false);
         compiler.names.push((name.split_whitespace().collect(), code));
     }
     let part = compiler.compile_statements(&statements, 0..text.len())?;
     if let Some(fault) = find_place_fault(place, text, &statements, &part) {
         return refuse(part.range, fault);
     }
-    Ok(Expression {
+    Ok(CompiledLine {
         place_index: place.index,
         place_name: place.name,
         step: place.step(),
@@ -50,7 +50,7 @@ fn find_place_fault(place: &Place, text: &str, statements: &[Stmt], part: &Part)
     let has_note = |note| place.notes.contains(&note);
     let [.., Stmt::Expr(syntax, None)] = statements else { return Some(Fault::Block) };
     let is_block = matches!(syntax, Expr::If(_) | Expr::Block(_));
-    let tokens = tokens_without_spaces(syntax);
+    let tokens = write_without_spaces(syntax);
     let is_or = matches!(syntax, Expr::Binary(ExprBinary { op: BinOp::Or(_), .. }));
     if !is_block && ["{", "if"].iter().any(|start| tokens.starts_with(start)) {
         Some(Fault::BlockAtStart)
@@ -68,7 +68,7 @@ fn find_place_fault(place: &Place, text: &str, statements: &[Stmt], part: &Part)
 impl Compiler<'_> {
     /// Compiles an expression: the whole line or a part of it.
     pub fn compile_expression(&mut self, syntax: &Expr) -> Result<Part, Refusal> {
-        let name = tokens_without_spaces(syntax);
+        let name = write_without_spaces(syntax);
         let code = match self.names.iter().find(|(known, _)| *known == name) {
             Some((_, code)) => code.clone(),
             None => self.compile_unnamed_expression(syntax)?,
@@ -86,7 +86,7 @@ impl Compiler<'_> {
             }
             Expr::If(branches) => return self.compile_if(branches),
             Expr::Call(call) if call.args.is_empty() => {
-                let name = tokens_without_spaces(&call.func);
+                let name = write_without_spaces(&call.func);
                 let name_range = range_of(&call.func);
                 let kind = OperationKind::Path;
                 let call = Call { syntax, kind, name: &name, name_range, operands: &[] };
@@ -131,7 +131,7 @@ impl Compiler<'_> {
 
     /// Returns code that reads the next free slot. Each of the place's variables has a slot, and so
     /// does each `let` whose value isn't constant.
-    pub fn next_slot(&self, value_type: ValueType, has_ambiguous_type: bool) -> Code {
+    pub fn code_of_free_slot(&self, value_type: ValueType, has_ambiguous_type: bool) -> Code {
         let is_slot = |code: &Code| code.constant_value().is_none();
         let slot = self.names.iter().filter(|(_, code)| is_slot(code)).count();
         Code { computation: Computation::Slot(slot), value_type, has_ambiguous_type }
@@ -232,7 +232,7 @@ mod tests {
             variables: vec![("x", ValueType::F64), ("k", ValueType::I32)],
             notes: vec![],
         };
-        let expression = parse_expression(&place, text).map_err(|refusal| refusal.fault)?;
+        let expression = compile_line(&place, text).map_err(|refusal| refusal.fault)?;
         Ok(expression.computation)
     }
 

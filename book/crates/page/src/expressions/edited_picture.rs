@@ -1,6 +1,6 @@
 //! Draws the steps' pictures with the reader's lines in them.
 
-use crate::expressions::evaluation::{Evaluation, Expression, Interruption};
+use crate::expressions::evaluation::{CompiledLine, Evaluation, Interruption};
 use crate::expressions::refusal::{Fault, Refusal};
 use crate::expressions::steps::{
     step01_rays, step02_sphere, step03_nearest, step04_diffuse, step05_phong,
@@ -39,7 +39,7 @@ struct Context {
 /// A picture in progress.
 struct EditedPicture {
     /// The reader's lines.
-    lines: Vec<Expression>,
+    lines: Vec<CompiledLine>,
     evaluation: Evaluation,
     /// Why drawing stopped early, if it did.
     refusal: Option<LineRefusal>,
@@ -61,8 +61,8 @@ thread_local! {
 
 impl EditedPicture {
     /// Creates a picture that may take at most this many operations.
-    const fn new(lines: Vec<Expression>, operations: u64) -> Self {
-        Self { lines, evaluation: Evaluation::new(operations), refusal: None }
+    const fn new(lines: Vec<CompiledLine>, max_operations: u64) -> Self {
+        Self { lines, evaluation: Evaluation::new(max_operations), refusal: None }
     }
 
     /// Evaluates the reader's line at a place. Returns None if that line is refused, or if a line
@@ -149,38 +149,38 @@ pub fn draw_pixels(camera: &Camera, pixel: impl Fn(f64, f64) -> Rgb<u8> + Sync) 
     picture
 }
 
-/// Draws the step of the first line with the reader's lines in place of the book's. `operations` is
-/// the limit for the whole picture. Without any lines, draws step 1 as in the book. If an assertion
-/// in the step fails, the first line is refused.
+/// Draws the step of the first line with the reader's lines in place of the book's. The lines may
+/// take `max_operations` for the whole picture. Without any lines, draws step 1 as in the book. If
+/// an assertion in the step fails, the first line is refused.
 pub fn draw_step_of_first_line(
-    lines: &[Expression],
+    lines: &[CompiledLine],
     columns: u32,
-    operations: u64,
+    max_operations: u64,
 ) -> Result<RgbImage, LineRefusal> {
     let step = lines.first().map_or(Step::Rays, |line| line.step);
-    draw_step(step, lines, columns, operations)
+    draw_step(step, lines, columns, max_operations)
 }
 
 /// Draws some pixels of a step's picture, `pixel_spacing` apart both horizontally and vertically.
 /// The other pixels stay black.
 pub fn draw_some_pixels(
     step: Step,
-    lines: &[Expression],
+    lines: &[CompiledLine],
     pixel_spacing: u32,
     columns: u32,
-    operations: u64,
+    max_operations: u64,
 ) -> Result<RgbImage, LineRefusal> {
     CONTEXT.with(|context| context.pixel_spacing.set(pixel_spacing));
-    let picture = draw_step(step, lines, columns, operations);
+    let picture = draw_step(step, lines, columns, max_operations);
     CONTEXT.with(|context| context.pixel_spacing.set(1));
     picture
 }
 
 fn draw_step(
     step: Step,
-    lines: &[Expression],
+    lines: &[CompiledLine],
     columns: u32,
-    operations: u64,
+    max_operations: u64,
 ) -> Result<RgbImage, LineRefusal> {
     let draw = match step {
         Step::Rays => step01_rays::picture,
@@ -191,7 +191,7 @@ fn draw_step(
     };
     let edited = lines.iter().fold(0, |bits, line| bits | 1 << line.place_index);
     let picture = CONTEXT.with(|context| {
-        context.picture.replace(EditedPicture::new(lines.to_vec(), operations));
+        context.picture.replace(EditedPicture::new(lines.to_vec(), max_operations));
         context.edited.set(edited);
         let camera = Camera::new(columns, columns * 9 / 16, FOV_DEGREES.to_radians());
         let picture = draw(&camera, 1);

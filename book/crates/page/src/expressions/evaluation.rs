@@ -7,7 +7,7 @@ use std::rc::Rc;
 
 /// A compiled line: a function of the variables at its place.
 #[derive(Clone)]
-pub struct Expression {
+pub struct CompiledLine {
     /// The index of its place in places.txt.
     pub(super) place_index: usize,
     pub(super) place_name: &'static str,
@@ -17,7 +17,7 @@ pub struct Expression {
     pub(super) computation: Computation,
 }
 
-impl Expression {
+impl CompiledLine {
     /// Computes the line's value from the values of its variables. Returns None if the reader's
     /// program would panic.
     pub fn evaluate(&self, variables: &[Value]) -> Option<Value> {

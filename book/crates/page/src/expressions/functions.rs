@@ -25,7 +25,7 @@ pub struct Function {
 
 impl Function {
     /// Returns the path of a function, method or constant, and None for anything else.
-    pub fn path(&self) -> Option<Cow<'static, str>> {
+    pub fn qualified_name(&self) -> Option<Cow<'static, str>> {
         match (self.kind, self.parameters) {
             (OperationKind::Path, _) => Some(self.name.into()),
             (OperationKind::Method, [owner, ..]) => {
@@ -39,7 +39,7 @@ impl Function {
     /// the operands have the right types.
     pub fn is_named(&self, kind: OperationKind, name: &str) -> bool {
         match kind {
-            OperationKind::Path => self.path().is_some_and(|path| path == name),
+            OperationKind::Path => self.qualified_name().is_some_and(|qualified| qualified == name),
             _ => self.kind == kind && self.name == name,
         }
     }

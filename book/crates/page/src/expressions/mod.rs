@@ -29,9 +29,9 @@ mod statements;
 mod syntax;
 mod value;
 
-pub use compiler::parse_expression;
+pub use compiler::compile_line;
 pub use edited_picture::{LineRefusal, draw_pixels, draw_some_pixels, draw_step_of_first_line};
-pub use evaluation::Expression;
+pub use evaluation::CompiledLine;
 pub use refusal::{Fault, Refusal};
 pub use value::Value;
 

@@ -52,7 +52,7 @@ pub fn range_of(syntax: &impl Spanned) -> Range<usize> {
 }
 
 /// Writes a part of the line without whitespace or comments.
-pub fn tokens_without_spaces(syntax: &impl ToTokens) -> String {
+pub fn write_without_spaces(syntax: &impl ToTokens) -> String {
     syntax.to_token_stream().to_string().split_whitespace().collect()
 }
 
@@ -65,15 +65,15 @@ pub fn split_operation(syntax: &Expr) -> Result<Operation<'_>, Refusal> {
                 return refuse(name_range, Fault::Dereference);
             }
             let operands = vec![&*unary.expr];
-            (OperationKind::Sign, tokens_without_spaces(&unary.op), operands, name_range)
+            (OperationKind::Sign, write_without_spaces(&unary.op), operands, name_range)
         }
         Expr::Binary(binary) => {
             let operands = vec![&*binary.left, &*binary.right];
-            let name = tokens_without_spaces(&binary.op);
+            let name = write_without_spaces(&binary.op);
             (OperationKind::Sign, name, operands, range_of(&binary.op))
         }
         Expr::Cast(cast) => {
-            let name = tokens_without_spaces(&cast.ty);
+            let name = write_without_spaces(&cast.ty);
             (OperationKind::Cast, name, vec![&*cast.expr], range_of(&cast.as_token))
         }
         Expr::Array(array) => {
@@ -81,27 +81,27 @@ pub fn split_operation(syntax: &Expr) -> Result<Operation<'_>, Refusal> {
             (OperationKind::Array, String::new(), operands, range_of(array))
         }
         Expr::Index(index) => {
-            let name = tokens_without_spaces(&index.index);
+            let name = write_without_spaces(&index.index);
             let name_range = range_of(&index.bracket_token.span.join());
             (OperationKind::Index, name, vec![&*index.expr], name_range)
         }
         Expr::Field(field) => {
-            let name = tokens_without_spaces(&field.member);
+            let name = write_without_spaces(&field.member);
             let name_range = range_of(&field.dot_token).start..range_of(field).end;
             (OperationKind::Field, name, vec![&*field.base], name_range)
         }
         Expr::MethodCall(call) => {
-            let name = format!("{}{}", call.method, tokens_without_spaces(&call.turbofish));
+            let name = format!("{}{}", call.method, write_without_spaces(&call.turbofish));
             let operands = once(&*call.receiver).chain(&call.args).collect();
             let name_range = range_of(&call.dot_token).start..range_of(&call.method).end;
             (OperationKind::Method, name, operands, name_range)
         }
         Expr::Path(path) => {
-            (OperationKind::Path, tokens_without_spaces(path), vec![], range_of(path))
+            (OperationKind::Path, write_without_spaces(path), vec![], range_of(path))
         }
         Expr::Call(call) if !call.args.is_empty() => {
             let operands = call.args.iter().collect();
-            let name = tokens_without_spaces(&call.func);
+            let name = write_without_spaces(&call.func);
             (OperationKind::Path, name, operands, range_of(&call.func))
         }
         Expr::Reference(reference) => {
@@ -125,7 +125,7 @@ mod tests {
             ("a -\n    b // c", "a-b"),
         ] {
             let syntax: Expr = syn::parse_str(text).expect(text);
-            assert_eq!(tokens_without_spaces(&syntax), tokens, "{text}");
+            assert_eq!(write_without_spaces(&syntax), tokens, "{text}");
         }
     }
 }

@@ -89,7 +89,7 @@ mod tests {
     use super::*;
 
     /// Returns the value of a literal, and whether its type is still ambiguous.
-    fn parse(text: &str) -> Result<(Value, bool), Fault> {
+    fn value_of_literal(text: &str) -> Result<(Value, bool), Fault> {
         let literal = syn::parse_str(text).expect("a literal");
         let code = compile_literal(&literal).map_err(|refusal| refusal.fault)?;
         Ok((code.constant_value().expect("a constant"), code.has_ambiguous_type))
@@ -97,21 +97,21 @@ mod tests {
 
     #[test]
     fn literal_has_its_value_and_its_type() {
-        assert_eq!(parse("2"), Ok((Value::I32(2), true)));
-        assert_eq!(parse("2_i32"), Ok((Value::I32(2), false)));
-        assert_eq!(parse("2.5"), Ok((Value::F64(2.5), true)));
-        assert_eq!(parse("1e-3f64"), Ok((Value::F64(0.001), false)));
-        assert_eq!(parse("1e999"), Err(Fault::BeyondF64));
+        assert_eq!(value_of_literal("2"), Ok((Value::I32(2), true)));
+        assert_eq!(value_of_literal("2_i32"), Ok((Value::I32(2), false)));
+        assert_eq!(value_of_literal("2.5"), Ok((Value::F64(2.5), true)));
+        assert_eq!(value_of_literal("1e-3f64"), Ok((Value::F64(0.001), false)));
+        assert_eq!(value_of_literal("1e999"), Err(Fault::BeyondF64));
         for text in ["60f64", "60_f64", "6_0f64", "60.0_f64", "6e1_f64"] {
-            assert_eq!(parse(text), Ok((Value::F64(60.0), false)), "{text}");
+            assert_eq!(value_of_literal(text), Ok((Value::F64(60.0), false)), "{text}");
         }
-        let cure = |text| parse(text).expect_err("a fault").cure().map(str::to_owned);
+        let cure = |text| value_of_literal(text).expect_err("a fault").cure().map(str::to_owned);
         assert_eq!(cure("2_u8").as_deref(), Some("2_i32"));
         assert_eq!(cure("2.5_f32").as_deref(), Some("2.5_f64"));
         assert_eq!(cure("1f32").as_deref(), Some("1_f64"));
         assert_eq!(cure("2147483648").as_deref(), Some("2147483648.0"));
         for text in ["2a", "0b1f64", "2.0_i32", "'a'"] {
-            assert_eq!(parse(text), Err(Fault::Literal), "{text}");
+            assert_eq!(value_of_literal(text), Err(Fault::Literal), "{text}");
         }
     }
 }

@@ -3,7 +3,7 @@
 use crate::expressions::compiler::Compiler;
 use crate::expressions::functions::{Function, find_function, functions};
 use crate::expressions::near_name::{find_near_name, name_and_synonyms};
-use crate::expressions::operation::{OperationKind, range_of, tokens_without_spaces};
+use crate::expressions::operation::{OperationKind, range_of, write_without_spaces};
 use crate::expressions::part::Part;
 use crate::expressions::refusal::{Fault, Refusal};
 use crate::expressions::statements::is_compound_assignment;
@@ -375,7 +375,8 @@ impl Compiler<'_> {
             return Some(self.name_as_in_places(variable));
         }
         let is_here = |path: &Cow<str>| self.place.has_vectors || !path.starts_with("DVec3");
-        let paths: Vec<_> = functions().filter_map(Function::path).filter(is_here).collect();
+        let paths: Vec<_> =
+            functions().filter_map(Function::qualified_name).filter(is_here).collect();
         // The last name in a path, such as PI in std::f64::consts::PI.
         let last = |path: &str| path.rsplit("::").next().unwrap_or_default().to_ascii_lowercase();
         let find_last = |wanted: &str| {
@@ -417,7 +418,7 @@ impl Compiler<'_> {
             let rest = |(known, _): &(String, _)| known.strip_prefix(name).map(str::to_owned);
             self.names.iter().any(|known| rest(known).is_some_and(|rest| rest.starts_with('.')))
         };
-        let names: Vec<_> = links.iter().map(|link| tokens_without_spaces(*link)).collect();
+        let names: Vec<_> = links.iter().map(|link| write_without_spaces(*link)).collect();
         let root = names.last()?;
         if !begins_name(root) || names.iter().any(|name| is_name(name)) {
             return None;
@@ -454,7 +455,7 @@ impl Compiler<'_> {
     /// the function that can't be used here.
     pub fn refuse_unknown_function(&self, syntax: &Expr) -> Option<Refusal> {
         let Expr::Call(call) = syntax else { return None };
-        let name = tokens_without_spaces(&call.func);
+        let name = write_without_spaces(&call.func);
         let last = name.rsplit("::").next().unwrap_or_default();
         let is_method =
             |name: &String| ValueType::ALL.into_iter().any(|kind| is_method(kind, name));
@@ -527,7 +528,7 @@ mod tests {
         let places = all_listed_places();
         let place = places.iter().find(|place| place.name == "normal").expect("a place");
         let names = ["sphere.centre", "f64::from(n)"];
-        let code = |compiler: &Compiler| compiler.next_slot(ValueType::F64, false);
+        let code = |compiler: &Compiler| compiler.code_of_free_slot(ValueType::F64, false);
         let mut compiler = Compiler { place, text: "", names: vec![] };
         compiler.names = names.map(|name| (name.to_owned(), code(&compiler))).into();
         for (name, near) in [

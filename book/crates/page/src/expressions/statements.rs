@@ -2,7 +2,7 @@
 
 use crate::expressions::compiler::Compiler;
 use crate::expressions::evaluation::Computation;
-use crate::expressions::operation::{range_of, tokens_without_spaces};
+use crate::expressions::operation::{range_of, write_without_spaces};
 use crate::expressions::part::{Code, Part};
 use crate::expressions::refusal::{Fault, Refusal, refuse};
 use crate::expressions::refused_call::explain_mismatch;
@@ -15,7 +15,7 @@ use syn::{BinOp, Expr, ExprAssign, ExprIf, Ident, LocalInit, Pat, PatIdent, Stmt
 
 /// Whether an operator is a compound assignment such as +=.
 pub fn is_compound_assignment(operator: &BinOp) -> bool {
-    let sign = tokens_without_spaces(operator);
+    let sign = write_without_spaces(operator);
     sign.ends_with('=') && !["==", "!=", "<=", ">="].contains(&&*sign)
 }
 
@@ -111,7 +111,7 @@ impl Compiler<'_> {
         let is_constant = value.constant_value().is_some();
         let named_value = match is_constant {
             true => value.clone(),
-            false => self.next_slot(value.value_type, value.has_ambiguous_type),
+            false => self.code_of_free_slot(value.value_type, value.has_ambiguous_type),
         };
         self.add_name(ident, named_value)?;
         let Part { code, range } = self.compile_statements(rest, range)?;
@@ -166,7 +166,7 @@ impl Compiler<'_> {
                 let base = self.compile_expression(&field.base).ok();
                 let is_vector = base.is_some_and(|base| base.code.value_type == ValueType::Vector);
                 let is_number = value.code.value_type == ValueType::F64;
-                let name = tokens_without_spaces(&field.member);
+                let name = write_without_spaces(&field.member);
                 let is_field = ["x", "y", "z"].contains(&&*name);
                 let base = &self.text[range_of(&field.base)];
                 (is_vector && is_number && is_field)

@@ -40,7 +40,7 @@ pub fn parse_syntax(place: &Place, text: &str) -> Result<Vec<Stmt>, Refusal> {
 
 /// Returns where a `//` comment begins in the last row of the text, if there is one. In the
 /// listing, such a comment would hide whatever follows the text.
-fn find_last_comment(text: &str) -> Option<usize> {
+fn find_line_comment_in_last_row(text: &str) -> Option<usize> {
     let (mut depth, mut at) = (0, 0);
     while at < text.len() {
         let rest = &text.as_bytes()[at..];
@@ -74,7 +74,7 @@ fn refuse_unreadable_text(text: &str, allows_line_comment: bool) -> Result<(), R
     if let Some((at, sign)) = text.char_indices().find(|(_, sign)| is_unreadable(*sign)) {
         return refuse(at..at + sign.len_utf8(), Fault::UnreadableSign(sign));
     }
-    if let Some(at) = find_last_comment(text).filter(|_| !allows_line_comment) {
+    if let Some(at) = find_line_comment_in_last_row(text).filter(|_| !allows_line_comment) {
         return refuse(at..at + 2, Fault::LineComment);
     }
     for (sign, fault) in [("<-", Fault::LeftArrow), ("?", Fault::QuestionMark)] {
@@ -157,7 +157,7 @@ mod tests {
             ("a /* */ // b", Some(8)),
             ("a / b", None),
         ] {
-            assert_eq!(find_last_comment(text), at, "{text}");
+            assert_eq!(find_line_comment_in_last_row(text), at, "{text}");
         }
     }
 }

@@ -6,7 +6,7 @@ use course::{
     Place, Step, all_listed_places, cargo_command, crate_as_module, step_dependencies,
     target_folder, workspace,
 };
-use page::expressions::{draw_step_of_first_line, parse_expression};
+use page::expressions::{compile_line, draw_step_of_first_line};
 use std::collections::BTreeSet;
 use std::fs;
 use std::hash::{DefaultHasher, Hash, Hasher};
@@ -41,7 +41,7 @@ fn accepted_lines_with_hashes() -> Vec<(Place, String, u64)> {
         let (name, text) = line.split_once(' ')?;
         let place = all_listed_places().into_iter().find(|place| place.name == name)?;
         let text = cure_line(&place, text);
-        let line = parse_expression(&place, &text).ok()?;
+        let line = compile_line(&place, &text).ok()?;
         let picture = draw_step_of_first_line(&[line], COLUMNS, u64::MAX).ok()?;
         let mut hasher = DefaultHasher::new();
         picture.as_raw().hash(&mut hasher);

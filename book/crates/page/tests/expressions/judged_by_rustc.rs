@@ -6,7 +6,7 @@ use crate::lines::cure_line;
 use course::{Place, ValueType, cargo_command, target_folder, workspace};
 use fastrand::Rng;
 use glam::dvec3;
-use page::expressions::{Fault, Refusal, Value, parse_expression};
+use page::expressions::{Fault, Refusal, Value, compile_line};
 use std::{collections::BTreeSet, fs};
 
 const PARAMETERS: &str = "d: f64, e: f64, n: DVec3, l: DVec3, k: i32, yes: bool";
@@ -130,7 +130,7 @@ fn random_lines_have_the_values_that_rustc_gives_them() {
     let (mut equal_cures, judged_lines) = (0, evaluate_with_rustc(&lines));
     for (index, ((kind, text), judged)) in lines.iter().zip(judged_lines).enumerate() {
         place.value_type = parse_type(kind);
-        let value = parse_expression(&place, text).and_then(|line| {
+        let value = compile_line(&place, text).and_then(|line| {
             let no_result = Refusal { range: 0..text.len(), fault: Fault::NoResult };
             line.evaluate(&values).ok_or(no_result)
         });

@@ -2,7 +2,7 @@
 //! In the snapshot, the wrong part of a line is in ⟦ and ⟧.
 
 use course::{Place, all_listed_places};
-use page::expressions::{Fault, Refusal, draw_step_of_first_line, parse_expression};
+use page::expressions::{Fault, Refusal, compile_line, draw_step_of_first_line};
 use page::{EditedLine, Request, try_reply};
 use std::ops::Range;
 
@@ -33,12 +33,13 @@ pub fn cure_line(place: &Place, text: &str) -> String {
     let mut cured = text.to_owned();
     let mut last = None;
     for _ in 0..8 {
-        let Err(Refusal { range, fault }) = parse_expression(place, &cured) else { break };
+        let Err(Refusal { range, fault }) = compile_line(place, &cured) else { break };
         if let Some(Range { start, end }) = last {
             let is_in_cure = start <= range.start && range.end <= end;
             // A wrong type isn't the cure's fault: the code around it may require a different type.
-            let is_of_type = matches!(fault, Fault::WholeNumber { .. } | Fault::Mismatch { .. });
-            assert!(!is_in_cure || is_of_type, "{text}, cured: {cured}: {fault}");
+            let is_type_mismatch =
+                matches!(fault, Fault::WholeNumber { .. } | Fault::Mismatch { .. });
+            assert!(!is_in_cure || is_type_mismatch, "{text}, cured: {cured}: {fault}");
         }
         let Some(cure) = fault.cure() else { break };
         last = Some(range.start..range.start + cure.len());
@@ -68,7 +69,7 @@ fn draw(name: &str, text: &str) -> Result<(), Refusal> {
 
 fn draw_within(name: &str, text: &str, operations: u64) -> Result<(), Refusal> {
     let place = all_listed_places().into_iter().find(|place| place.name == name);
-    let line = parse_expression(&place.expect("a place"), text)?;
+    let line = compile_line(&place.expect("a place"), text)?;
     draw_step_of_first_line(&[line], 64, operations).map(|_| ()).map_err(|line| line.refusal)
 }
 
@@ -159,7 +160,7 @@ fn fault_in_an_unfinished_line_has_a_range_within_it() {
         let place = place.expect("a place");
         for (end, _) in text.char_indices() {
             for typed in [&text[..end], &text[end..]] {
-                if let Err(Refusal { range, fault }) = parse_expression(&place, typed) {
+                if let Err(Refusal { range, fault }) = compile_line(&place, typed) {
                     assert!(
                         range.start <= range.end && range.end <= typed.len(),
                         "{typed}: {fault}"

@@ -6,7 +6,7 @@ use course::{
     Mistake, Place, TableRow, all_listed_places, hash_picture, hashes_of_right_pictures,
     mistakes_with_rows, workspace,
 };
-use page::expressions::{draw_step_of_first_line, parse_expression};
+use page::expressions::{compile_line, draw_step_of_first_line};
 use std::{fs, iter::once};
 
 /// Draws the book's code at every place, and every tenth of the listed mistakes that change only
@@ -18,7 +18,7 @@ fn places_and_listed_mistakes_are_drawn_by_an_edited_line() {
     for place in all_listed_places() {
         for (text, expected) in known_codes_with_hashes(&place).into_iter().step_by(step) {
             count += 1;
-            let picture = parse_expression(&place, &text).and_then(|expression| {
+            let picture = compile_line(&place, &text).and_then(|expression| {
                 draw_step_of_first_line(&[expression], 640, u64::MAX).map_err(|line| line.refusal)
             });
             let line = format!("{}: {text}", place.name);
