@@ -1,5 +1,5 @@
-//! A minimal JSON writer, which is all that replies to a page need. A full JSON library would make
-//! the pages' modules a sixth larger.
+//! A minimal JSON writer. The replies to a page need nothing more, and a full JSON library would
+//! make the pages' modules a sixth larger.
 
 use crate::is_terminal_control;
 
@@ -16,13 +16,13 @@ pub fn quote(text: &str) -> String {
     quoted + "\""
 }
 
-/// Writes a JSON array. Each item has to be a number, or JSON already.
+/// Writes a JSON array. Each item has to be a number or JSON text.
 pub fn list(items: impl IntoIterator<Item = impl ToString>) -> String {
     let items: Vec<_> = items.into_iter().map(|item| item.to_string()).collect();
     format!("[{}]", items.join(","))
 }
 
-/// Writes a JSON object. The value of each field has to be JSON already.
+/// Writes a JSON object. The value of each field has to be JSON text.
 pub fn object<'a>(fields: impl IntoIterator<Item = (&'a str, String)>) -> String {
     let members = fields.into_iter().map(|(name, value)| format!("{}:{value}", quote(name)));
     format!("{{{}}}", members.collect::<Vec<_>>().join(","))

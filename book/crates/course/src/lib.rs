@@ -1,23 +1,24 @@
 //! Code and data shared by the book's crates, in six folders and four files:
 //!
-//! - `steps`: the five steps as an enum, the *camera* that takes their pictures, the discriminant,
-//!   and the *examples* as a library, with a list of every picture that a step or an example draws.
-//! - `source_code`: the steps' source code as text. The *places* in the listings are the
-//!   expressions that a reader may edit on a page.
-//! - `mistakes`: the *mistakes* that readers make, each as a diff; a *table* with the hashes of the
-//!   wrong pictures that they produce; and the small versions of these pictures that the book
-//!   shows.
-//! - `scenes`: the scene that is generated from a person's *name*, the scene that a reader puts
-//!   together on a page, the table of the numbers in a scene, and the names of the lights.
-//! - `pictures`: the *locked* pictures, a picture's hash, the *difference* between two pictures
-//!   (described in a sentence, or drawn side by side), and a PNG encoder.
-//! - `workspace`: the project's folders, the names of the pages' WebAssembly modules, a command that
-//!   runs Cargo, the *environment* variables that control the tests, and a function that *replaces*
-//!   a file atomically.
-//! - `hash.rs`, `html.rs`, `json.rs` and `terminal.rs`: a hash function, the escaping of text in
-//!   HTML, a JSON writer, and the characters that a terminal would act on.
+//! - `steps`: the five steps as an enum, the camera that takes their pictures, the discriminant of
+//!   a sphere and a ray, and the steps' examples as a library. It also lists every picture that a
+//!   step or an example draws.
+//! - `source_code`: the steps' source code as text. A *place* is an expression in this code that a
+//!   reader may edit on a page.
+//! - `mistakes`: the mistakes that readers make, each as a diff; a table with the hashes of the
+//!   wrong pictures that these mistakes produce; and small versions of some wrong pictures, for the
+//!   book.
+//! - `scenes`: the scene that is generated from a person's name, the scene that a reader puts
+//!   together on a page, a table of the numbers in a scene, and the names of the lights.
+//! - `pictures`: reads the locked pictures, hashes a picture, describes or draws the difference
+//!   between two pictures, and encodes PNG files.
+//! - `workspace`: finds the project's folders, names the pages' WebAssembly modules, prepares
+//!   commands that run Cargo, reads the environment variables that control the tests, and replaces
+//!   files atomically.
+//! - `hash.rs`, `html.rs`, `json.rs` and `terminal.rs`: a hash function, an HTML escaper, a JSON
+//!   writer, and a predicate for characters that a terminal would act on.
 //!
-//! Other crates don't see the folders, because every item is re-exported here.
+//! All items are re-exported here, so other crates don't see the folders.
 
 mod steps;
 pub use steps::{

@@ -1,7 +1,7 @@
-//! Characters that shouldn't be printed as they are.
+//! Recognises characters that have to be escaped in a terminal.
 
-/// Whether a terminal would act on `c` instead of showing it. This includes the characters that
-/// change the direction of text.
+/// Whether a terminal would act on `c` instead of showing it. Characters that change the direction
+/// of text are included.
 pub fn is_terminal_control(c: char) -> bool {
     let changes_direction = matches!(
         c,

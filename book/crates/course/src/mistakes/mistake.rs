@@ -1,41 +1,44 @@
-//! The list of mistakes that readers make. It consists of one text file for each step, in the
-//! folder `mistakes` of this package.
+//! The list of mistakes that readers make. It consists of one text file per step, in the folder
+//! `mistakes` of this package.
 //!
 //! Blank lines separate a file into blocks, and nearly every block describes a mistake. The first
-//! line is its title. Each of the other lines starts with a mark that says what the line contains:
+//! line of such a block is the mistake's title. Each of its other lines starts with a mark that
+//! says what the line contains:
 //!
-//! - `-` the right code,
-//! - `+` the code that is written instead.
+//! - `-`: the right code,
+//! - `+`: the wrong code that readers write instead.
 //!
-//! There are two other kinds of blocks. A single line that starts with `@` names the source file
-//! that the mistakes below it are in, and lines that start with `#` are a comment.
+//! There are two other kinds of blocks:
+//!
+//! - a single line `@ FILE`, which names the source file of the mistakes below it,
+//! - a comment, in which every line starts with `#`.
 //!
 //! If the book shows a mistake, its block has four more kinds of lines:
 //!
-//! - `!` the name of a picture, and the step that draws it unless that is the file's step; there
-//!   may be several of these lines,
-//! - `?` why the code is wrong,
-//! - `/` the section to read again,
-//! - `"` what the picture shows.
+//! - `!`: the name of a picture and, if it isn't the file's step, the step that draws this picture;
+//!   a block may have several of these lines,
+//! - `?`: why the code is wrong,
+//! - `/`: the section to read again,
+//! - `"`: what the picture shows.
 
 use crate::{Step, mistake_texts};
 use std::sync::OnceLock;
 use thiserror::Error;
 
-/// A mistake that readers make: some code in a file, and what they write instead.
+/// A mistake that readers make: the right code in a file, and what they write instead.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mistake {
     /// A short description.
     pub title: &'static str,
     /// The step whose crate contains the file.
     pub step: Step,
-    /// The file, as a path relative to the workspace root.
+    /// The path of the source file, relative to the workspace root.
     pub file: String,
-    /// The right code. Whitespace at the start of a line doesn't count.
+    /// The right code. Whitespace at the start of its lines is ignored.
     pub old: String,
-    /// The code that is written instead.
+    /// The wrong code that readers write instead.
     pub new: String,
-    /// What the book says about the mistake, if it shows the mistake.
+    /// How the book shows the mistake, or None if it doesn't.
     pub shown: Option<ShownMistake>,
 }
 
@@ -57,17 +60,17 @@ pub struct ShownMistake {
 pub struct MistakePicture {
     /// The name: lower-case words joined by `-`.
     pub name: &'static str,
-    /// The step that draws it with the mistake.
+    /// The step that draws this picture if the mistake is made.
     pub step: Step,
 }
 
-/// Returns all mistakes, in the order of the lists, which are parsed only once. In a page's module,
-/// there are none until the page has provided the lists.
+/// Returns all mistakes, in the order of the lists. The lists are parsed only once. In a page's
+/// module, there are no mistakes until the page has provided the lists.
 ///
 /// # Panics
 ///
-/// Panics if a line in the lists can't be parsed. The lists are compiled into the program, so this
-/// would be a bug that its tests catch.
+/// Panics if a line in the lists can't be parsed. The lists are part of the project, so its tests
+/// rule that out.
 pub fn mistakes() -> &'static [Mistake] {
     match parse_mistake_lists() {
         Ok(mistakes) => mistakes,
@@ -99,7 +102,7 @@ pub struct MistakeListError {
 /// What is wrong with a line.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 enum MistakeListFault {
-    #[error("a line with `@` names a file, and is a block of its own")]
+    #[error("a line with `@` names a file, and needs blank lines around it")]
     File,
     #[error("a mistake needs a line `@ FILE` above it")]
     NoFile,
@@ -111,11 +114,11 @@ enum MistakeListFault {
     UnknownStep(&'static str),
     #[error("the mistake already has a line with `{0}`")]
     Twice(char),
-    #[error("a mistake has lines with `!`, `?`, `/` and `\"`, or none of these")]
+    #[error("a mistake needs lines with all four of `!`, `?`, `/` and `\"`, or with none of them")]
     NotShown,
 }
 
-/// A line of a list, and its number.
+/// The number of a line in a list, and the line.
 type NumberedLine = (usize, &'static str);
 
 /// Parses a step's list.
@@ -146,7 +149,7 @@ fn parse_list(step: Step, list: &'static str) -> Result<Vec<Mistake>, MistakeLis
     Ok(mistakes)
 }
 
-/// The lines below a mistake's title, without their marks.
+/// The lines below a mistake's title, grouped by their marks. The marks are cut off.
 #[derive(Default)]
 struct MarkedLines {
     old: Vec<&'static str>,
@@ -159,7 +162,7 @@ struct MarkedLines {
 
 impl MarkedLines {
     fn add_line(&mut self, step: Step, line: &'static str) -> Result<(), MistakeListFault> {
-        // If the line of code is empty, there is just the mark, with no space after it.
+        // If a line of code is empty, the mark has no space after it.
         let (mark, words) = line.split_once(' ').unwrap_or((line, ""));
         match mark {
             "-" => self.old.push(words),
@@ -194,7 +197,7 @@ impl MarkedLines {
     }
 }
 
-/// Stores the words of a line whose mark may appear at most once per mistake.
+/// Stores the words of a line whose mark may occur only once per mistake.
 fn set_once(
     line: &mut Option<&'static str>,
     mark: char,
@@ -219,26 +222,26 @@ fn parse_picture(
 }
 
 impl Mistake {
-    /// The pictures of the mistake in the book, or none if the book doesn't show it.
+    /// The book's pictures of the mistake. There are none if the book doesn't show the mistake.
     pub fn pictures(&self) -> &[MistakePicture] {
         self.shown.as_ref().map(|shown| &*shown.pictures).unwrap_or_default()
     }
 
-    /// The steps whose pictures the mistake may change: its own and all later ones.
+    /// The steps whose pictures the mistake may change: the mistake's step and all later steps.
     pub fn affected_steps(&self) -> impl Iterator<Item = Step> {
         Step::ALL.into_iter().skip(self.step as usize)
     }
 
     /// Formats the mistake as a diff: first the right code, with `- ` in front of each line, then
-    /// the code that is written instead, with `+ ` in front of each line.
+    /// the wrong code, with `+ ` in front of each line.
     pub fn old_and_new_lines(&self) -> String {
         let old = self.old.lines().map(|line| format!("- {line}"));
         let new = self.new.lines().map(|line| format!("+ {line}"));
         old.chain(new).collect::<Vec<_>>().join("\n")
     }
 
-    /// Applies the mistake to the text of its file, and strips the indentation from the result. If
-    /// the right code doesn't occur exactly once in `file_text`, the error is the number of
+    /// Strips the indentation from `file_text`, the text of the mistake's file, and applies the
+    /// mistake. If the right code doesn't occur there exactly once, the error is the number of
     /// occurrences.
     pub fn apply_and_strip_indentation(&self, file_text: &str) -> Result<String, usize> {
         let (file_text, old) = (strip_indentation(file_text), strip_indentation(&self.old));
@@ -281,7 +284,7 @@ one that the book shows
 ";
 
     fn parse(step: Step) -> Vec<Mistake> {
-        parse_list(step, LIST).expect("a list")
+        parse_list(step, LIST).expect("the list is well-formed")
     }
 
     #[test]
@@ -312,7 +315,7 @@ one that the book shows
 
     #[test]
     fn block_is_a_mistake_of_the_file_above_it() {
-        let [short, long] = &parse(Step::Nearest)[..] else { panic!("two mistakes") };
+        let [short, long] = &parse(Step::Nearest)[..] else { panic!("the list has two mistakes") };
         assert_eq!(short.title, "a short one");
         assert_eq!(short.file, "steps/step03_nearest/src/camera.rs");
         assert_eq!(short.old, "let a = 1;\n    let b = 2;");
@@ -331,14 +334,14 @@ one that the book shows
 
     #[test]
     fn mistake_affects_its_step_and_the_later_ones() {
-        let [mistake, _] = &parse(Step::Diffuse)[..] else { panic!("two mistakes") };
+        let [mistake, _] = &parse(Step::Diffuse)[..] else { panic!("the list has two mistakes") };
         let steps: Vec<_> = mistake.affected_steps().collect();
         assert_eq!(steps, [Step::Diffuse, Step::Phong]);
     }
 
     #[test]
     fn mistake_is_applied_if_its_text_is_there_once() {
-        let [mistake, _] = &parse(Step::Rays)[..] else { panic!("two mistakes") };
+        let [mistake, _] = &parse(Step::Rays)[..] else { panic!("the list has two mistakes") };
         assert_eq!(mistake.old_and_new_lines(), "- let a = 1;\n-     let b = 2;\n+ let a = 2;");
         let once = "fn f() {\n    let a = 1;\n    let b = 2;\n}";
         assert_eq!(

@@ -1,5 +1,6 @@
-//! The mistakes that readers make, each as a diff, and the table with hashes of the pictures that
-//! they produce. Both are text files in the folder `mistakes` of this package.
+//! The mistakes that readers make, each as a diff, and the table with the hashes of the pictures
+//! that these mistakes produce. Both are kept as text files in the folder `mistakes` of this
+//! package.
 
 mod mistake;
 mod table;

@@ -1,16 +1,17 @@
-//! The table with a hash of each picture that a mistake produces, and the small pictures that the
-//! book shows. The small pictures for a step are stacked in one file, in the order of the table,
-//! since a change to the scene changes all of them anyway.
+//! The table with a hash of each picture that a mistake produces, and the small pictures with which
+//! the book shows mistakes. All small pictures for a step are stacked in one file, in the order of
+//! the table. Separate files would be no better, since a change to the scene changes all of them
+//! anyway.
 //!
 //! The table is `table.txt`, which `cargo xtask` writes. All its hashes are hexadecimal.
 //!
 //! - `= NAME HASH` is the name of a right picture, and the hash of its pixels.
 //! - `! NAME` is the name of a small picture. It shows what a wrong program draws instead of the
-//!   right picture above it.
+//!   right picture in the last line with `=`.
 //! - `KEY HASH HASH …` is the row of a mistake. The key is a hash of everything that the mistake's
-//!   pictures depend on. The other hashes are those of the pictures that its own step and each
-//!   later step draw with the mistake. `-` stands for a picture that is right in spite of the
-//!   mistake, or that can't be drawn.
+//!   pictures depend on. The other hashes are those of the pictures that the mistake's step and all
+//!   later steps draw with the mistake. If such a picture is right in spite of the mistake, or
+//!   can't be drawn, `-` takes the place of its hash.
 
 use crate::{Mistake, Step, mistake_texts, mistakes};
 use image::imageops::{crop_imm, thumbnail};
@@ -33,34 +34,36 @@ pub struct MistakeTable<'a> {
 /// A right picture in the table.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RightPicture<'a> {
-    /// The name of its snapshot.
+    /// The name of the picture's snapshot.
     pub name: &'a str,
     /// The hash of its pixels.
     pub hash: u64,
-    /// The names of the small pictures in the book that wrong versions of this step draw.
+    /// The names of the small pictures that show what wrong versions of this step draw.
     pub small_pictures: Vec<&'a str>,
 }
 
 /// A mistake's row in the table.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TableRow {
-    /// A hash of everything that determined the mistake's pictures when they were drawn.
+    /// A hash of everything that the mistake's pictures depended on when they were drawn.
     pub key: u32,
-    /// The hashes of the pictures of the mistake's step and of all later steps. A hash is None if
-    /// that picture is right in spite of the mistake, or can't be drawn.
+    /// The hashes of the pictures that the mistake's step and all later steps draw with the
+    /// mistake. A hash is None if the picture is right in spite of the mistake, or can't be drawn.
     pub hashes: Vec<Option<u64>>,
 }
 
 /// The error if a line of the table can't be read.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
-#[error("line {line} is not `= NAME HASH`, `! NAME` below one, or `KEY HASH …`: {text}")]
+#[error(
+    "line {line} is not `= NAME HASH`, `! NAME` below a line with `=`, or `KEY HASH …`: {text}"
+)]
 pub struct TableError {
     line: usize,
     text: String,
 }
 
 impl<'a> MistakeTable<'a> {
-    /// Parses what [`Display`] writes.
+    /// Parses the text that [`Display`] writes.
     pub fn parse(text: &'a str) -> Result<Self, TableError> {
         let mut table = Self::default();
         for (index, line) in text.lines().enumerate() {
@@ -90,7 +93,7 @@ impl<'a> MistakeTable<'a> {
     }
 }
 
-/// Parses a hash. It always has 16 digits: if there are fewer, the file is damaged.
+/// Parses a hash, which has 16 digits. If there are fewer or more, the file is damaged.
 fn parse_hash(digits: &str) -> Option<u64> {
     u64::from_str_radix(digits, 16).ok().filter(|_| digits.len() == 16)
 }
@@ -116,12 +119,12 @@ impl Display for MistakeTable<'_> {
     }
 }
 
-/// The table that is checked in, parsed once. In a page's module, it is empty until the page has
-/// provided its text.
+/// Returns the checked-in table, which is parsed only once. In a page's module, the table is empty
+/// until the page has provided the texts.
 ///
 /// # Panics
 ///
-/// Panics if a line can't be read. That would be a bug in the project. No input can cause it.
+/// Panics if a line can't be read. This would be a bug in the project: no input can cause it.
 pub fn mistake_table() -> &'static MistakeTable<'static> {
     static EMPTY: MistakeTable = MistakeTable { right_pictures: vec![], rows: vec![] };
     static TABLE: OnceLock<MistakeTable> = OnceLock::new();
@@ -132,8 +135,9 @@ pub fn mistake_table() -> &'static MistakeTable<'static> {
     })
 }
 
-/// Pairs each mistake with its row in the checked-in table. They are matched by order alone,
-/// because computing a key requires the steps' source files. A test in xtask compares the keys.
+/// Pairs each mistake with its row in the checked-in table. Mistakes and rows are matched by order
+/// alone, because computing a mistake's key requires the steps' source files. A test in xtask
+/// compares the keys.
 ///
 /// # Panics
 ///
@@ -143,7 +147,7 @@ pub fn mistakes_with_rows() -> impl Iterator<Item = (&'static Mistake, &'static 
     assert_eq!(
         mistakes.len(),
         rows.len(),
-        "mistakes and their rows: `cargo xtask` writes the table"
+        "each mistake needs a row in the table: run `cargo xtask`"
     );
     mistakes.iter().zip(rows)
 }
@@ -153,12 +157,12 @@ pub fn hashes_of_right_pictures() -> impl Iterator<Item = (&'static str, u64)> {
     mistake_table().right_pictures.iter().map(|picture| (picture.name, picture.hash))
 }
 
-/// Finds the mistakes that produce the picture with this hash. Each comes with the name of the
-/// picture that should have been drawn. A mistake that produces the same picture in several steps
-/// is returned once for each of them.
+/// Finds the mistakes that produce the picture with this hash. Each mistake comes with the name of
+/// the picture that should have been drawn. A mistake that produces the same picture in several
+/// steps is returned once for each of these steps.
 ///
-/// The likeliest come first: the mistakes shown in the book, then all others. Within each group,
-/// those that change the least code come first.
+/// The likeliest mistakes come first: those that the book shows come before all others. Within each
+/// of these two groups, those that change the least code come first.
 pub fn find_mistakes_with_hash(hash: u64) -> Vec<(&'static Mistake, &'static str)> {
     let mut mistakes_and_names: Vec<_> = mistakes_with_rows()
         .flat_map(|(mistake, row)| {
@@ -180,7 +184,7 @@ pub fn names_of_right_pictures() -> Vec<&'static str> {
     hashes_of_right_pictures().map(|(name, _)| name).collect()
 }
 
-/// The columns and rows of a small picture.
+/// The number of columns and rows of a small picture.
 pub const SMALL_SIZE: [u32; 2] = [320, 180];
 
 /// Scales a picture down to a small picture.
@@ -225,7 +229,7 @@ mod tests {
 
     #[test]
     fn table_is_parsed_and_written_again() {
-        let table = MistakeTable::parse(TEXT).expect("a table");
+        let table = MistakeTable::parse(TEXT).expect("the table is well-formed");
         let [rays, plane] = &table.right_pictures[..] else { panic!("{table:?}") };
         assert_eq!((rays.name, rays.hash), ("step01_rays", 255));
         assert_eq!(
@@ -235,10 +239,10 @@ mod tests {
         let rows = [(10, vec![Some(1), None]), (255, vec![None])];
         assert_eq!(table.rows, rows.map(|(key, hashes)| TableRow { key, hashes }));
         assert_eq!(table.to_string(), TEXT);
-        let checked_in = mistake_texts().expect("a program includes the texts").table;
+        let checked_in = mistake_texts().expect("a native program includes the texts").table;
         assert!(
             mistake_table().to_string() == checked_in,
-            "table.txt: `cargo xtask` writes its lines in another order"
+            "`cargo xtask` would write the lines of table.txt in a different order"
         );
     }
 

@@ -1,12 +1,12 @@
-//! The texts that make up the list of mistakes. They are compiled into native programs, but not
-//! into the modules for the pages, which would have to be compiled again whenever the list is
-//! edited. Instead, a page loads the texts and provides them to its module.
+//! The texts that make up the list of mistakes. Native programs contain these texts. The pages'
+//! modules don't: otherwise, they would have to be compiled again whenever the list is edited.
+//! Instead, a page loads the texts and provides them to its module.
 
 use crate::Step;
 use std::iter;
 use std::sync::OnceLock;
 
-/// The separator between the texts that a page loads.
+/// The separator between the texts, which a page loads as one joined text.
 const SEPARATOR: char = '\0';
 
 const STEP_COUNT: usize = Step::ALL.len();
@@ -24,7 +24,7 @@ const INCLUDED: MistakeTexts = MistakeTexts {
 
 static PROVIDED: OnceLock<MistakeTexts> = OnceLock::new();
 
-/// The list of mistakes as text.
+/// The list of mistakes and its table, as text.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MistakeTexts {
     /// The list for each step.
@@ -40,7 +40,8 @@ impl MistakeTexts {
         texts.join(&SEPARATOR.to_string())
     }
 
-    /// Splits what [`Self::join`] has joined. If there are too few texts, the last ones are empty.
+    /// Splits what [`Self::join`] has joined. If there are too few texts, the missing texts are
+    /// empty.
     fn split(joined: &'static str) -> Self {
         let mut texts = joined.split(SEPARATOR).chain(iter::repeat(""));
         let mut next = || texts.next().unwrap_or_default();
@@ -53,7 +54,7 @@ pub fn mistake_texts() -> Option<&'static MistakeTexts> {
     if cfg!(target_arch = "wasm32") { PROVIDED.get() } else { Some(&INCLUDED) }
 }
 
-/// Provides the joined texts to a module. Only the first call has an effect.
+/// Provides a page's module with the joined texts. Only the first call has an effect.
 pub fn provide_mistake_texts(joined: &str) {
     PROVIDED.get_or_init(|| MistakeTexts::split(String::from(joined).leak()));
 }

@@ -24,7 +24,7 @@ pub fn describe_difference(locked: &RgbImage, new: &RgbImage) -> Option<String> 
     ))
 }
 
-/// The largest difference between two colours in any one channel.
+/// Returns how far apart two colours are in the channel in which they differ most.
 #[inline]
 pub fn largest_channel_difference(a: &Rgb<u8>, b: &Rgb<u8>) -> u8 {
     a.0.iter().zip(b.0).map(|(a, b)| a.abs_diff(b)).max().unwrap_or(0)
@@ -40,11 +40,11 @@ mod tests {
         assert_eq!(describe_difference(&locked, &locked), None);
         let mut new = locked.clone();
         new.put_pixel(1, 0, Rgb([10, 25, 30]));
-        let text = describe_difference(&locked, &new).expect("a difference");
+        let text = describe_difference(&locked, &new).expect("the pictures differ");
         assert!(text.starts_with("1 pixel differs from the locked picture, by up to 5 of 255"));
         assert!(text.ends_with("column 1, row 0: locked [10, 20, 30], now [10, 25, 30]"), "{text}");
         new.put_pixel(2, 1, Rgb([0, 20, 30]));
-        let text = describe_difference(&locked, &new).expect("a difference");
+        let text = describe_difference(&locked, &new).expect("the pictures differ");
         assert!(text.starts_with("2 pixels differ from the locked picture, by up to 10"), "{text}");
     }
 

@@ -3,8 +3,8 @@
 use image::RgbImage;
 use image::codecs::png::{CompressionType, FilterType, PngEncoder};
 
-/// Encodes a picture as a PNG file with default compression. The best compression would take twice
-/// as long to save 2 %.
+/// Encodes a picture as a PNG file with default compression. Best compression would take twice as
+/// long, and save only 2 %.
 pub fn encode_png(picture: &RgbImage) -> Vec<u8> {
     let mut png = vec![];
     let (compression, filter) = (CompressionType::Default, FilterType::Adaptive);
@@ -20,7 +20,8 @@ mod tests {
     #[test]
     fn file_holds_the_pixels() {
         let picture = RgbImage::from_fn(5, 3, |i, j| image::Rgb([i as u8, j as u8, 200]));
-        let decoded = image::load_from_memory(&encode_png(&picture)).expect("a PNG file");
+        let decoded =
+            image::load_from_memory(&encode_png(&picture)).expect("the PNG file can be decoded");
         assert_eq!(decoded.into_rgb8(), picture);
     }
 }

@@ -1,4 +1,4 @@
-//! A hash by which pictures are recognised.
+//! Hashes pictures, so that they can be recognised.
 
 use crate::fnv_1a;
 use image::RgbImage;

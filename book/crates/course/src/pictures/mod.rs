@@ -1,5 +1,5 @@
-//! The locked pictures, the hash of a picture, the difference between two pictures (described in a
-//! sentence, or drawn side by side), and a PNG encoder.
+//! Reads the locked pictures, hashes a picture, describes or draws the difference between two
+//! pictures, and encodes PNG files.
 
 mod difference;
 mod encode_png;

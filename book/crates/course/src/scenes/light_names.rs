@@ -1,13 +1,13 @@
 //! The names of the steps' two lights.
 
-/// A light's name, in the forms that sentences need.
+/// A light's name, in the forms that a sentence may need.
 #[derive(Clone, Copy, Debug)]
 pub struct LightName {
-    /// `warm`
+    /// For example `warm`.
     pub adjective: &'static str,
-    /// `warm light`
+    /// For example `warm light`.
     pub name: &'static str,
-    /// `the warm light`
+    /// For example `the warm light`.
     pub with_article: &'static str,
 }
 
@@ -21,7 +21,7 @@ macro_rules! light_name {
     };
 }
 
-/// The names of the lights in steps 4 and 5, in the order of the scene.
+/// The names of the two lights in steps 4 and 5, in the order of the scene's `lights`.
 pub const LIGHT_NAMES: [LightName; 2] = [light_name!("warm"), light_name!("cool")];
 
 #[cfg(test)]

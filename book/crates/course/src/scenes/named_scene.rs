@@ -5,19 +5,20 @@ use crate::hash::fnv_1a;
 use glam::DVec3;
 use step05_phong::{Light, Material, Matte, OBJECTS, Scene, scene};
 
-/// The objects' names, in the order of `OBJECTS`. They don't mention colours, because those vary.
+/// The objects' names, in the order of `OBJECTS`. They don't mention colours, because the colours
+/// vary from scene to scene.
 const NAMES: [&str; OBJECTS.len()] =
     ["ball 1", "ground", "ball 2", "ball 3", "ball 4", "ball 5", "ball 6", "ball 7", "ball 8"];
 
 /// Generates the scene that belongs to `name`. It is the course's scene or its mirror image, with
 /// sizes, colours, highlights and lights chosen by a hash of the name.
 ///
-/// Each ball may be smaller than its counterpart in the course, but keeps its lowest point. So it
-/// lies inside that counterpart, and no two balls touch each other.
+/// Each ball is at most as large as its counterpart in the course, and has the same lowest point.
+/// So it lies inside that counterpart, and no two balls touch each other.
 ///
-/// Whitespace around the name is ignored, and any amount of it between two words counts as one
-/// space. The caller should convert the name to NFC, Unicode's composed form: the same letters in a
-/// different form are different bytes, and give a different scene.
+/// Whitespace around the name is ignored, and any whitespace between two words counts as one space.
+/// The caller should convert the name to NFC, Unicode's composed form: in a different form, the
+/// same letters have different bytes, and so give a different scene.
 pub fn generate_scene(name: &str) -> Scene<Material, Light> {
     let name = name.split_whitespace().collect::<Vec<_>>().join(" ");
     let mut choices = 0;

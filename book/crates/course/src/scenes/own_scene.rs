@@ -8,7 +8,8 @@ use image::RgbImage;
 use std::iter::zip;
 use step05_phong::{Camera, Light, Material, Scene, colour, render};
 
-/// A reader's scene and camera: everything that determines the picture, except its size.
+/// A reader's scene and camera: everything that determines the picture, except for the picture's
+/// size.
 #[derive(Debug)]
 pub struct OwnScene {
     /// The camera's field of view, in degrees.
@@ -21,9 +22,9 @@ pub struct OwnScene {
     pub roll_degrees: f64,
     /// The objects and lights.
     pub scene: Scene<Material, Light>,
-    /// Whether rays are also traced from the surfaces, which gives shadows and reflections.
+    /// Whether rays are also traced from the surfaces, to draw shadows and reflections.
     pub has_mirrors: bool,
-    /// The `k` of each object: the fraction of its colour that is a reflection.
+    /// For each object, `k`: the fraction of the object's colour that is a reflection.
     pub mirror_parts: Vec<f64>,
 }
 
@@ -47,8 +48,8 @@ impl OwnScene {
         look_at(&camera, self.position, self.target, self.roll_degrees.to_radians())
     }
 
-    /// Draws the picture with this many columns. Step 5 draws it or, if the scene has mirrors, the
-    /// example `mirror`, which reflects a ray at most ten times.
+    /// Draws the picture with this many columns. If the scene has no mirrors, step 5 draws it.
+    /// Otherwise the example `mirror` does, and reflects a ray at most ten times.
     pub fn picture(&self, columns: u32) -> RgbImage {
         let camera = self.camera(columns);
         if !self.has_mirrors {

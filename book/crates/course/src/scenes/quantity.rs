@@ -1,22 +1,23 @@
 //! A table of the numbers in a scene: their names, their ranges, and where they are stored. The
-//! controls and addresses on the page "A scene of your own" are generated from it, and so are the
-//! values that `check` tries.
+//! page "A scene of your own" gets its controls and its addresses from this table. The same table
+//! tells `check` which values to try.
 
 use crate::{OwnScene, Step};
 use glam::DVec3;
 use step05_phong::Matte;
 
-/// One number in a scene or three that belong together, such as a radius, a position or a colour.
+/// One number in a scene, such as a radius, or three that belong together, such as those of a
+/// position.
 #[derive(Debug)]
 pub struct Quantity {
     /// The name in a sentence, to be followed by "of" and the owner.
     pub name: &'static str,
-    /// The kind of thing that has it.
+    /// The kind of thing that has this quantity.
     pub owner: Owner,
-    /// The values that a reader of the steps may type for it, or None if no step's source contains
-    /// it.
+    /// The values that a reader of the steps may type for the quantity. None if the quantity is in
+    /// no step's source.
     pub typed: Option<TypedRange>,
-    /// Its number, or its three numbers.
+    /// The quantity's one number or three numbers.
     pub scalars: &'static [Scalar],
 }
 
@@ -40,7 +41,7 @@ pub struct TypedRange {
     pub first_step: Step,
     /// The smallest and the largest value that somebody may plausibly type.
     pub range: [i32; 2],
-    /// The number of such values per unit.
+    /// The number of steps from one integer to the next, such as 100 for values with two decimals.
     pub steps_per_unit: i32,
 }
 
@@ -49,36 +50,36 @@ pub struct TypedRange {
 pub struct Scalar {
     /// The symbol, or an empty string.
     pub symbol: &'static str,
-    /// The name that readers see, which is the label of its control. In the page's address, the
-    /// parameter's name is the owner's name followed by this label.
+    /// The label of the number's control. In the page's address, the number's name consists of the
+    /// owner's name and this label.
     pub label: &'static str,
     /// The unit, such as °, or an empty string.
     pub unit: &'static str,
-    /// The smallest and the largest value that a page offers, except for the ground.
+    /// The smallest and the largest value that a page offers for any object but the ground.
     range: [f64; 2],
-    /// The range for the ground, the largest sphere, if it differs.
+    /// The range for the ground, if it differs from `range`. The ground is the largest sphere.
     ground_range: Option<[f64; 2]>,
-    /// The number of values per unit that a page offers.
+    /// The number of steps from one integer to the next in a page's control.
     pub steps_per_unit: f64,
     /// Whether the number has an effect only in a scene with shadows and mirrors.
     pub needs_mirrors: bool,
-    /// The component of its owner's position or colour, by which a page's handles and colour field
-    /// find the number. None for all other numbers. These include the camera's points and the
-    /// colour of highlights.
+    /// Which component of the owner's position or colour this number is. A page's handles and its
+    /// colour field find the number by this component. None for all other numbers, such as the
+    /// coordinates of the camera's position and target, and the channels of a highlight's colour.
     pub component: Option<Component>,
     property: Property,
-    /// The axis or channel, for a property that has three numbers; otherwise 0.
+    /// The index of the axis or channel if the property has three numbers, and 0 otherwise.
     axis: usize,
 }
 
 /// A component of a position or of a colour.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Component {
-    /// To the right.
+    /// The x coordinate, to the right.
     X,
-    /// Upwards.
+    /// The y coordinate, upwards.
     Y,
-    /// Towards the camera of the five steps.
+    /// The z coordinate, towards the camera of the five steps.
     Z,
     /// The red channel.
     Red,
@@ -95,8 +96,8 @@ impl Component {
     pub const OF_COLOUR: [Self; 3] = [Self::Red, Self::Green, Self::Blue];
 }
 
-/// The index of the ground among the objects of the steps, and so among those of every scene that
-/// is made from them.
+/// The index of the ground in the steps' list of objects. Scenes that are made from this list keep
+/// its order.
 pub const GROUND: usize = 1;
 
 /// Which property of an [`OwnScene`] a number belongs to.
@@ -109,10 +110,10 @@ enum Property {
     AmbientLight,
     Centre,
     Radius,
-    /// R_s, which is the same in all channels.
+    /// R_s, which has the same value in all channels.
     ObjectSpecular,
     Shininess,
-    /// R_d, along with R_a, which always equals it.
+    /// R_d and R_a, which are always equal.
     ObjectColour,
     MirrorPart,
     LightPosition,
@@ -184,7 +185,7 @@ impl Scalar {
     }
 }
 
-/// All quantities in a scene, grouped by owner, in the order of their controls.
+/// All quantities in a scene, grouped by owner, in the order of the controls on the page.
 pub static QUANTITIES: &[Quantity] = &[
     Quantity {
         name: "the field of view",
@@ -306,7 +307,7 @@ pub static QUANTITIES: &[Quantity] = &[
         owner: Owner::Light,
         typed: Some(TypedRange { first_step: Step::Diffuse, range: [0, 2], steps_per_unit: 1000 }),
         scalars: &along_axes([
-            // The minimum is above 0, which keeps a + bd + cd² above 0.
+            // The minimum is above 0, so that a + bd + cd² is never 0.
             scalar(Property::Attenuation, "a", "constant fading", [0.1, 2.0], 100.0),
             scalar(Property::Attenuation, "b", "linear fading", [0.0, 1.0], 1000.0),
             scalar(Property::Attenuation, "c", "quadratic fading", [0.0, 1.0], 1000.0),
@@ -391,7 +392,7 @@ const fn along_axes([x, y, z]: [Scalar; 3]) -> [Scalar; 3] {
     [x, Scalar { axis: 1, ..y }, Scalar { axis: 2, ..z }]
 }
 
-/// Gives the numbers different ranges for the ground.
+/// Sets the numbers' ranges for the ground.
 const fn on_ground<const N: usize>(mut scalars: [Scalar; N], ranges: [[f64; 2]; N]) -> [Scalar; N] {
     let mut k = 0;
     while k < N {
@@ -418,7 +419,9 @@ mod tests {
             let [min, max] = scalar.range;
             let value = if scalar.get(&own, 1) == min { max } else { min };
             scalar.set(&mut own, 1, value);
-            let index = all_scalars().position(|row| std::ptr::eq(row, scalar)).expect("a row");
+            let index = all_scalars()
+                .position(|row| std::ptr::eq(row, scalar))
+                .expect("the scalar is in the table");
             expected[index] = value;
             let values: Vec<_> = all_scalars().map(|scalar| scalar.get(&own, 1)).collect();
             assert_eq!(values, expected, "{}", scalar.label);
@@ -429,9 +432,9 @@ mod tests {
     fn ground_has_ranges_of_its_own() {
         assert_eq!(scene().objects[GROUND].name, "ground");
         let is_radius = |scalar: &&Scalar| matches!(scalar.property, Property::Radius);
-        let radius = all_scalars().find(is_radius).expect("a radius");
+        let radius = all_scalars().find(is_radius).expect("the table has a radius");
         assert_eq!([radius.range(0), radius.range(GROUND)], [[0.05, 3.0], [10.0, 60.0]]);
-        // A light with the same index as the ground has the range of any light.
+        // A light whose index happens to be the ground's has the same range as every other light.
         for scalar in all_scalars().filter(|scalar| scalar.ground_range.is_none()) {
             assert_eq!(scalar.range(GROUND), scalar.range);
         }
@@ -441,7 +444,7 @@ mod tests {
     fn colour_of_an_object_is_its_ambient_and_its_diffuse_reflectance() {
         let mut own = OwnScene::new(scene());
         let red = all_scalars().find(|scalar| matches!(scalar.property, Property::ObjectColour));
-        red.expect("a channel").set(&mut own, 0, 0.125);
+        red.expect("the table has a colour").set(&mut own, 0, 0.125);
         let matte = own.scene.objects[0].material.matte;
         assert_eq!((matte.ambient.x, matte.diffuse.x), (0.125, 0.125));
     }

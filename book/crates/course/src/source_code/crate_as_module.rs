@@ -1,11 +1,11 @@
 //! Turns the source of a crate into the source of a module.
 
-/// Rewrites a source file of a crate so that it works as part of the module at `path`, such as
-/// `steps::step03_nearest`, in another crate. Crates whose names start with one of `siblings`
-/// become sibling modules; all others remain crates.
+/// Rewrites a source file of a crate so that it works as part of a module of another crate. `path`
+/// is that module's path, such as `steps::step03_nearest`. An imported crate becomes a sibling
+/// module if its name starts with one of `siblings`. All other imports stay as they are.
 ///
-/// Only `crate::` and `use` followed by a sibling's name are replaced, since the steps refer to
-/// themselves and to each other in no other way.
+/// Replaces only `crate::` and `use SIBLING`. The steps don't refer to themselves or to each other
+/// in any other way.
 pub fn crate_as_module<'a>(
     text: &str,
     path: &str,

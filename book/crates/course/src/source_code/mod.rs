@@ -1,5 +1,6 @@
-//! The source code of the steps, as text: the places in it that a reader may edit on a page, and
-//! what turns a copy of a step into a module of another crate.
+//! The steps' source code as text. This folder lists the places in it that a reader may edit on a
+//! page, turns a step's crate into a module of another crate, and writes the dependencies of a
+//! program that contains copies of the steps.
 
 mod crate_as_module;
 mod place;

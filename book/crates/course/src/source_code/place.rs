@@ -1,43 +1,46 @@
-//! The expressions in the steps that a reader may edit on a page, as listed in `places.txt`.
+//! The places: expressions in the steps' source code that a reader may edit on a page. They are
+//! listed in `places.txt`.
 //!
-//! A line `@ FILE` names the file that contains the places below it. If that file imports vectors,
+//! A line `@ FILE` names the file that contains the places below it. If that file imports `DVec3`,
 //! the line is `@ FILE uses DVec3`.
 //!
-//! A place starts with a line such as `a: f64 = v.dot(v)`: its name, the type of its value, and the
-//! book's code. The indented lines below it are of two kinds. Most consist of a type, followed by
-//! the variables of that type that an expression may use there. The others start with `note:` and
-//! say what the surrounding code does with the value.
+//! A place starts with a line such as `a: f64 = v.dot(v)`, which consists of the place's name, the
+//! type of its value, and the book's code. There are two kinds of indented lines below it:
+//!
+//! - `TYPE NAME; NAME; …` lists variables of one type that a reader's expression may use there.
+//! - `note: …` says what the surrounding code does with the value.
 //!
 //! Lines that start with `#` are comments.
 //!
-//! The build script of the package `page` compiles this file as well, so it depends on std alone.
+//! The build script of the package `page` compiles this file as well. So this file depends on std
+//! alone.
 
 use std::error::Error;
 use std::fmt::{self, Display, Formatter};
 use std::ops::Range;
 
-/// An expression in the steps that a reader may edit: one block of places.txt.
+/// A place: an expression in the steps that a reader may edit.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Place {
-    /// Its index in places.txt.
+    /// The place's index in places.txt.
     pub index: usize,
-    /// Its name in edit requests.
+    /// The place's name in edit requests.
     pub name: &'static str,
-    /// The path of its file, relative to the folder `steps`.
+    /// The path of the source file, relative to the folder `steps`.
     pub file: &'static str,
     /// Whether the file imports `glam::DVec3`.
     pub has_vectors: bool,
-    /// The book's code for it, on one line.
+    /// The book's code for the expression, on one line.
     pub code: &'static str,
-    /// The type of its value.
+    /// The type of the expression.
     pub value_type: ValueType,
-    /// The names that an expression may use here, with their types.
+    /// The variables that a reader's expression may use, with their types.
     pub variables: Vec<(&'static str, ValueType)>,
     /// What the surrounding code does with the value.
     pub notes: Vec<PlaceNote>,
 }
 
-/// A Rust type that an edited expression, or a part of one, can have.
+/// The Rust type of an edited expression, or of a part of it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ValueType {
     /// `f64`.
@@ -73,21 +76,21 @@ impl ValueType {
     }
 }
 
-/// What the code around a place does with its value.
+/// What the surrounding code does with the value of a place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PlaceNote {
-    /// A method is called on the value, so a literal such as `1.0` needs a suffix: Rust must know
-    /// which type of number it is before it can look up the method.
+    /// A method is called on the value. So a literal such as `1.0` needs a suffix: Rust has to know
+    /// the literal's type before it can look up the method.
     MethodFollows,
     /// The value is the right operand of `&&`, which binds more tightly than `||`.
     AfterAnd,
-    /// The step's picture shows whether a ray hits the ball, but not at which `t`. A line that only
-    /// changes `t` is seen in the pictures of later steps.
+    /// The step's picture shows whether a ray hits the ball, but not at which `t`. So an edit that
+    /// changes only `t` is visible only in the pictures of later steps.
     OnlyMovesHit,
-    /// The value ends its row of the source file, so the reader may add a comment.
+    /// Nothing follows the expression on its line, so a reader may add a comment.
     EndsRow,
-    /// The value ends both its row and a block, so the reader may add a comment, and put `let`
-    /// statements in front.
+    /// Nothing follows the expression on its line or in its block. So a reader may add a comment
+    /// after it, and `let` statements before it.
     EndsBlock,
 }
 
@@ -111,8 +114,8 @@ impl PlaceNote {
 ///
 /// # Panics
 ///
-/// Panics if a line in places.txt is malformed. That can't happen at run time: the file is compiled
-/// in, and the build of `page` would have failed.
+/// Panics if a line in places.txt is malformed. That can't happen in a finished program: the file
+/// is compiled in, and the build of `page` fails if a line is malformed.
 pub fn all_listed_places() -> Vec<Place> {
     match parse_places(include_str!("../../places.txt")) {
         Ok(places) => places,
@@ -142,8 +145,8 @@ fn parse_places(text: &'static str) -> Result<Vec<Place>, PlaceListError> {
     Ok(places)
 }
 
-/// Parses the first line of a place, such as `a: f64 = v.dot(v)`. `file` is the text after the `@`
-/// above it.
+/// Parses the first line of a place, such as `a: f64 = v.dot(v)`. `file` is the text after the
+/// nearest `@` above.
 fn parse_place(
     index: usize,
     file: &'static str,
@@ -169,7 +172,7 @@ fn parse_type(name: &'static str) -> Result<ValueType, PlaceListFault> {
 }
 
 impl Place {
-    /// Finds the place's code in `text`, where it may be broken across lines.
+    /// Finds the place's code in `text`, even if that code is broken across lines there.
     pub fn find_range(&self, text: &str) -> Result<Range<usize>, OccurrenceError> {
         let Self { name, file, code, .. } = *self;
         let first = code.split(' ').next().unwrap_or_default();
@@ -187,7 +190,7 @@ impl Place {
         }
     }
 
-    /// Adds the names or the note from an indented line below the place.
+    /// Adds the variables or the note from an indented line below the place.
     fn add_line(&mut self, line: &'static str) -> Result<(), PlaceListFault> {
         if let Some(words) = line.strip_prefix("note: ") {
             let note = PlaceNote::ALL.into_iter().find(|note| note.words() == words);
@@ -201,7 +204,7 @@ impl Place {
     }
 }
 
-/// The error if the code of a place doesn't occur exactly once in its file.
+/// The error for a place whose code doesn't occur exactly once in the source file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct OccurrenceError {
     name: &'static str,
@@ -219,7 +222,7 @@ impl Display for OccurrenceError {
 
 impl Error for OccurrenceError {}
 
-/// The error if a line in places.txt is malformed.
+/// The error for a malformed line in places.txt.
 #[derive(Clone, Debug, PartialEq, Eq)]
 struct PlaceListError {
     line: usize,
@@ -244,7 +247,9 @@ impl Display for PlaceListError {
             PlaceListFault::NoPlace => write!(f, "an indented line needs a place above it"),
             PlaceListFault::NoCode => write!(f, "a place is `NAME: TYPE = CODE`"),
             PlaceListFault::NoNames => write!(f, "a type needs names after it"),
-            PlaceListFault::UnknownType(name) => write!(f, "no value has the type `{name}`"),
+            PlaceListFault::UnknownType(name) => {
+                write!(f, "a value can't have the type `{name}` here")
+            }
             PlaceListFault::UnknownNote(words) => write!(f, "there is no note `{words}`"),
         }
     }
@@ -266,12 +271,12 @@ misses: bool = d < 0.0
 ";
 
     fn fault(text: &'static str) -> String {
-        parse_places(text).expect_err("a fault").to_string()
+        parse_places(text).expect_err("the list is malformed").to_string()
     }
 
     #[test]
     fn list_is_parsed() {
-        let places = parse_places(LIST).expect("a list");
+        let places = parse_places(LIST).expect("the list is well-formed");
         let [a, misses] = &places[..] else { panic!("{places:?}") };
         assert_eq!((a.name, a.code, a.value_type), ("a", "v.dot(v)", ValueType::F64));
         assert_eq!((a.file, a.has_vectors), ("step02_sphere/src/sphere.rs", true));
@@ -286,7 +291,7 @@ misses: bool = d < 0.0
         assert_eq!(fault("\na: f64 = 1.0"), "line 2: a place needs a line `@ FILE` above it");
         assert_eq!(fault("@ x\n    f64 a"), "line 2: an indented line needs a place above it");
         assert_eq!(fault("@ x\na: f64"), "line 2: a place is `NAME: TYPE = CODE`");
-        assert_eq!(fault("@ x\na: f32 = 1.0"), "line 2: no value has the type `f32`");
+        assert_eq!(fault("@ x\na: f32 = 1.0"), "line 2: a value can't have the type `f32` here");
         assert_eq!(fault("@ x\na: f64 = b\n  f64"), "line 3: a type needs names after it");
         assert_eq!(fault("@ x\na: f64 = b\n  note: c"), "line 3: there is no note `c`");
     }
@@ -295,7 +300,7 @@ misses: bool = d < 0.0
     fn listed_places_agree_with_the_source_files() {
         for place in all_listed_places() {
             let path = crate::workspace().join("steps").join(place.file);
-            let text = std::fs::read_to_string(path).expect("a file");
+            let text = std::fs::read_to_string(path).expect("the file can be read");
             let range = place.find_range(&text).unwrap_or_else(|error| panic!("{error}"));
             let (before, after) = (text[..range.start].trim_end(), &text[range.end..]);
             let ends_row = after.starts_with(['\r', '\n']);
@@ -317,10 +322,14 @@ misses: bool = d < 0.0
 
     #[test]
     fn range_is_found_if_the_code_occurs_once() {
-        let [mut place, _] = parse_places(LIST).expect("a list").try_into().expect("two");
+        let [mut place, _] = parse_places(LIST)
+            .expect("the list is well-formed")
+            .try_into()
+            .expect("it has two places");
         place.code = "2.0 * s";
         assert_eq!(place.find_range("x = 2.0\n    * s;"), Ok(4..15));
-        let error = |text| place.find_range(text).expect_err("a fault").to_string();
+        let error =
+            |text| place.find_range(text).expect_err("there is no single range").to_string();
         let start = "a in places.txt: `2.0 * s` has to occur once in step02_sphere/src/sphere.rs";
         assert_eq!(error("2.0 + s"), format!("{start}, not 0 times"));
         assert_eq!(error("2.0 * s + 2.0 * s"), format!("{start}, not 2 times"));

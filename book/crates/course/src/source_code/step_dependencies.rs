@@ -2,9 +2,9 @@
 
 use crate::{Step, workspace};
 
-/// The `[dependencies]` section for a generated program that contains copies of the steps: the
-/// libraries that these copies use, and the original steps. The versions are `*`, because the
-/// program also gets a copy of the course's Cargo.lock, which pins them.
+/// Returns the `[dependencies]` section of a generated program that contains copies of the steps.
+/// It lists the libraries that these copies use, and the original steps. All versions are `*`: a
+/// copy of our Cargo.lock comes with the program, and pins them.
 pub fn step_dependencies() -> String {
     let mut dependencies = r#"
 [dependencies]

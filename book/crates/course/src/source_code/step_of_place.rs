@@ -1,5 +1,5 @@
-//! Finds the step that a place is in. This can't be in `place.rs`, because the build script of the
-//! package `page` compiles that file without the rest of this crate.
+//! Finds the step that contains a place. This code can't be in `place.rs`, because the build script
+//! of the package `page` compiles `place.rs` without the rest of this crate.
 
 use crate::{Place, Step};
 
@@ -8,7 +8,7 @@ impl Place {
     ///
     /// # Panics
     ///
-    /// Panics if the place's file isn't in a step. A test of all listed places rules that out.
+    /// Panics if the place's file isn't in a step. A test rules that out for all listed places.
     pub fn step(&self) -> Step {
         let folder = self.file.split('/').next();
         folder.and_then(Step::from_name).expect("the file of a place is in a step")

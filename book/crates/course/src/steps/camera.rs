@@ -1,4 +1,4 @@
-//! The course's cameras, and the rays of its pictures.
+//! The course's cameras, and the rays through the pixels of the course's pictures.
 
 use step01_rays::{AspectRatio, Camera, Ray};
 
@@ -21,8 +21,9 @@ pub fn primary_rays() -> impl Iterator<Item = Ray> {
     pixels.map(move |(i, j)| camera.ray(i.into(), j.into()))
 }
 
-/// The course's camera with this many columns and rows. It converts 60° with `to_radians`, as the
-/// programs do: the constant `FRAC_PI_3` differs in the last digit, and would give different rays.
+/// The course's camera with this many columns and rows. We convert 60° with `to_radians`, as the
+/// steps' programs do. The constant `FRAC_PI_3` differs from the result in the last digit, so it
+/// would give different rays.
 pub fn camera_with_size(columns: u32, rows: u32) -> Camera {
     Camera::new(columns, rows, FOV_DEGREES.to_radians())
 }

@@ -1,7 +1,7 @@
 //! The steps' pictures and examples as a library. The examples are the programs that the chapters
 //! run along the way, and the solutions to the exercises.
 
-#![allow(dead_code, reason = "the main of an example only runs in its program")]
+#![allow(dead_code, reason = "only the example's own program calls its `main`")]
 #![allow(clippy::duplicate_mod, reason = "`crowd` also declares the module `mirror`")]
 #![allow(missing_docs, reason = "each example says at its top what it draws")]
 
@@ -9,15 +9,16 @@ use crate::Step;
 use image::RgbImage;
 use step01_rays::Camera;
 
-/// A function that draws a picture with a camera. The number says how many sub-pixels each pixel is
-/// split into in each direction.
+/// A function that draws a picture with a camera. Each pixel is split into n×n sub-pixels, where n
+/// is the number that the function takes.
 pub type DrawPicture = fn(&Camera, u32) -> RgbImage;
 
-/// Declares each example as a module. rustfmt can't see modules that a macro declares. That is just
-/// as well, since the examples are formatted with the steps, whose lines are shorter than ours.
+/// Declares each example as a module. rustfmt doesn't see these modules, because a macro declares
+/// them. That is just as well: the examples are formatted with the steps, whose lines are shorter
+/// than ours.
 ///
-/// Tests need the pictures' names as well, to declare one test function per picture. A constant is
-/// no help there, since only a macro can turn a name into a function: hence `with_picture_names`.
+/// Also defines the macro `with_picture_names`. Tests use it to declare a test function for each
+/// picture, which is impossible with a constant: only a macro can turn a name into a function.
 macro_rules! examples {
     ($dollar:tt
         pictures { $($name:ident: $path:literal => $draw:expr,)* }
@@ -26,8 +27,8 @@ macro_rules! examples {
         $(#[path = $path] pub mod $name;)*
         $(#[path = $other_path] pub mod $other;)*
 
-        /// Every picture by name: first the five steps, then the examples in the order of their
-        /// steps.
+        /// Every picture by name: first those of the five steps, then those of the examples, in the
+        /// order of their steps.
         pub const PICTURES: &[(&str, DrawPicture)] = &[
             ("step01_rays", step01_rays::picture),
             ("step02_sphere", step02_sphere::picture),
@@ -49,8 +50,8 @@ macro_rules! examples {
     };
 }
 
-// Each example with its path. If the example draws a picture, the path is followed by the function
-// that draws the locked picture.
+// Lists each example with its path. For an example in `pictures`, the path is followed by the
+// function that draws the example's locked picture.
 examples! {
     $
     pictures {

@@ -1,5 +1,5 @@
-//! The five steps, the camera that takes their pictures, the discriminant of a ray and a sphere, and
-//! the steps' examples as a library.
+//! The five steps, the camera that takes their pictures, the discriminant of a sphere and a ray,
+//! and the steps' examples as a library.
 
 mod camera;
 mod colour_without_gate;

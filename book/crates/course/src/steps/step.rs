@@ -1,6 +1,6 @@
 //! The five steps of the course.
 
-/// A step of the course. Later steps compare greater.
+/// A step of the course. A later step is greater than an earlier step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Step {
     /// `step01_rays`.

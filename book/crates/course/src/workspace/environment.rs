@@ -1,9 +1,9 @@
-//! The environment variables that control the tests. Rust code reads them only here, and
+//! The environment variables that control the tests. No other Rust file reads them, and
 //! CONTRIBUTING lists them.
 
 use std::env;
 
-/// Whether we are running on CI, decided as insta decides it.
+/// Whether this process runs on CI, decided by the same rules as in insta.
 pub fn is_ci() -> bool {
     match env::var("CI").as_deref() {
         Ok("" | "0" | "false") => false,
@@ -12,13 +12,13 @@ pub fn is_ci() -> bool {
     }
 }
 
-/// Whether tests should try every case instead of a sample: `THOROUGH=1`.
+/// Whether tests should try every case instead of a sample, because `THOROUGH=1` is set.
 pub fn is_thorough() -> bool {
     env::var_os("THOROUGH").is_some_and(|value| !value.is_empty())
 }
 
-/// An identifier of this run of `cargo nextest`, which runs each test in its own process. None if
-/// the tests run under something else.
+/// The identifier of this run of `cargo nextest`, which is the same in the processes of all tests.
+/// None under a different test runner.
 pub fn nextest_run_id() -> Option<String> {
     env::var("NEXTEST_RUN_ID").ok()
 }

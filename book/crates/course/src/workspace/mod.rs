@@ -1,5 +1,5 @@
-//! The project's folders, a command that runs Cargo there, the environment variables that control
-//! the tests, and files that are replaced atomically.
+//! Finds the project's folders, prepares commands that run Cargo, reads the environment variables
+//! that control the tests, and replaces files atomically.
 
 mod folders;
 mod replace_file;
