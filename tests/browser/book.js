@@ -2,7 +2,8 @@
 import { readFileSync, readdirSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 
-// The variable BOOK replaces the folder that `cargo run` writes.
+// The book's folder: the value of the variable BOOK or, by default, the folder that `cargo run`
+// writes.
 export const folder = resolve(process.env.BOOK ?? join(import.meta.dirname, '../../target/book'));
 
 const read = name => readFileSync(join(folder, name), 'utf8');
@@ -11,11 +12,11 @@ const read = name => readFileSync(join(folder, name), 'utf8');
 // without scripts.
 export const pages = readdirSync(folder).filter(name => /\.html$/.test(name) && !/^(404|toc)\./.test(name));
 
-// All pages except the first page and the page for printing, which only repeat other pages.
+// All pages except those that only repeat other pages: the first page, and the page for printing.
 export const chapters = pages.filter(name => !/^(index|print)\./.test(name));
 
-// Finds a pattern in all chapters. Returns, for each match: [page, value of the attribute, index
-// among the matches on that page].
+// Finds a pattern in all chapters. For each match, returns the page, the value of the attribute,
+// and the match's index on that page.
 const named = pattern => chapters.flatMap(page => [...read(page).matchAll(pattern)].map(([, name], k) => [page, name, k]));
 export const figures = named(/<figure[^>]* data-live="([^"]+)"/g);
 export const forms = named(/<form[^>]* data-check="([^"]+)"/g);

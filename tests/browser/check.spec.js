@@ -2,7 +2,8 @@
 import { forms, picture } from './book.js';
 import { expect, open, test } from './fixtures.js';
 
-// The first form on each page is enough, since the others differ only in their names.
+// It's enough to test the first form on each page, since the others differ only in the picture's
+// name.
 for (const [name, asked] of forms.filter(([, , k]) => k === 0)) {
   test(`${name}: the form looks at pictures`, async ({ page, home }) => {
     await open(page, home + name);
@@ -14,16 +15,19 @@ for (const [name, asked] of forms.filter(([, , k]) => k === 0)) {
       await input.setInputFiles({ name: `${right}.png`, mimeType: 'image/png', buffer: picture(given) });
       await expect(output).toHaveText(words, { timeout: 20_000 });
     }
-    // The step has a tick in the contents, now and after the page is opened again.
+    // If the picture is a step's, that step has a tick in the contents, now and after the page is
+    // opened again.
     const tick = page.locator(`#contents a[href="${right}.html"] .tick`);
     for (const look of [() => {}, () => open(page, home + name)]) {
       await look();
       await expect(tick).toHaveCount(right.startsWith('step') ? 1 : 0);
     }
-    // A browser only reports that the same file was chosen again if the field was empty.
+    // A click has to empty the field. Otherwise, the browser wouldn't report that the same file is
+    // chosen again.
     await input.dispatchEvent('click');
     await expect(input).toHaveValue('');
-    // What is dropped beside the forms goes to the nearest, which is the first one here.
+    // A file that is dropped beside the forms goes to the nearest form, which is the first form
+    // here.
     const isDropped = await page.locator('h1').evaluate(one => {
       const dataTransfer = new DataTransfer();
       dataTransfer.items.add(new File(['no picture'], 'notes.txt'));

@@ -1,5 +1,5 @@
-// Every figure first looks as printed, changes with its handles and controls, and is restored by
-// Reset.
+// At first, every figure looks as printed. Its handles and controls change it, and Reset restores
+// it.
 import { figures } from './book.js';
 import { expect, makeReady, open, readPixels, test } from './fixtures.js';
 
@@ -11,8 +11,8 @@ test('a handle goes to its ends, and says nothing there', async ({ page, home })
   await handle.focus();
   const position = () => handle.evaluate(one => Number(one.getAttribute('aria-valuenow')));
   const [first, refused] = [await position(), figure.locator('.refused')];
-  // On the way to the right, the tip of V reaches the border before the start reaches the end of
-  // its range.
+  // When the ray moves to the right, its tip reaches the figure's border before its start reaches
+  // the end of the start's range.
   for (const [key, is] of [['Home', x => x === -2], ['End', x => first < x && x < 7]]) {
     await page.keyboard.press(key);
     expect(is(await position()), `${key} goes to ${await position()}`).toBe(true);
@@ -30,7 +30,7 @@ test('a typed number that a figure cannot use is explained', async ({ page, home
     await field.fill(text);
     await expect(figure.locator('.refused')).toHaveText(words);
   }
-  // A finger that scrolls the page across a slider leaves it where it was.
+  // If a finger touches a slider while it scrolls the page, the slider keeps its value.
   const slider = figure.getByRole('slider', { name: 'a of your curve' });
   const value = await slider.inputValue();
   await slider.dispatchEvent('pointerdown');
@@ -40,7 +40,7 @@ test('a typed number that a figure cannot use is explained', async ({ page, home
 });
 
 test('labels of drawings do not overlap, and no handle covers one', async ({ page, home }) => {
-  // On a phone, small labels take up more of the drawing, because they shrink less than it does.
+  // On a phone, labels take up more of a drawing, because they shrink less than the drawing does.
   await page.setViewportSize({ width: 390, height: 844 });
   for (const name of new Set(figures.map(([name]) => name))) {
     await open(page, home + name);
@@ -78,7 +78,7 @@ test('labels of drawings do not overlap, and no handle covers one', async ({ pag
 for (const [name, figure, k] of figures) {
   test(`${name}: the figure ${figure}, number ${k + 1} there, is interactive`, { tag: k ? '@thorough' : [] }, async ({ page, home }) => {
     await open(page, home + name);
-    page.on('dialog', dialog => dialog.accept()); // The reader's own scene asks before it is wiped.
+    page.on('dialog', dialog => dialog.accept()); // On "A scene of your own", Reset asks first.
     const root = page.locator('figure[data-live]').nth(k);
     await makeReady(root);
 
@@ -98,7 +98,7 @@ for (const [name, figure, k] of figures) {
     };
     await expectReset('nothing');
     const expectChange = async gesture => {
-      expect.soft(await look() !== printed, `${gesture} changes it`).toBe(true);
+      expect.soft(await look() !== printed, `${gesture} changes the figure`).toBe(true);
       await expectReset(gesture);
     };
 
@@ -117,7 +117,8 @@ for (const [name, figure, k] of figures) {
       await expectChange(`a key on ${words}`);
     }
     const controls = await root.locator('.controls [data-parameter] input:visible').all();
-    // The reader's own scene has 19 controls, most of them alike, so 12 are usually enough.
+    // The figure own_scene has 19 controls, most of them alike, so 12 are enough without
+    // THOROUGH=1.
     for (const control of controls.slice(0, process.env.THOROUGH ? undefined : 12)) {
       await control.focus();
       await page.keyboard.press(await control.evaluate(({ type, value, min }) => ({

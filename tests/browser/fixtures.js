@@ -1,6 +1,8 @@
-// Playwright's `test`, with two fixtures: `home`, the address of the book, and a page that fails
-// the test if the browser reports an error, a request that leaves the book, or something that the
-// policy forbids.
+// Playwright's `test`, with two fixtures:
+//
+// - `home` is the address of the book.
+// - `page` fails the test if it asks for anything outside the book, if the browser reports an
+//   error, or if the policy forbids something.
 import { test as base, expect } from '@playwright/test';
 import { pathToFileURL } from 'node:url';
 import { folder } from './book.js';
@@ -8,7 +10,7 @@ import { serve } from './server.js';
 
 export { expect };
 
-// Firefox reports this for a formula that is laid out before all of it has arrived.
+// Firefox reports this if it lays out a formula before it has received all of the formula.
 const HARMLESS = /Incorrect number of children for <m/;
 
 export const test = base.extend({
@@ -39,7 +41,7 @@ export const test = base.extend({
   },
 });
 
-// Opens a page of the book. When it returns, all of the page's scripts have been requested.
+// Opens a page of the book, and waits until all of the page's scripts have been requested.
 export async function open(page, address) {
   await page.goto(address);
   await page.locator('script[src$="search.js"]').waitFor({ state: 'attached' });

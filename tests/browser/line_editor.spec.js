@@ -10,7 +10,8 @@ const NORMAL = '(p - sphere.centre) / sphere.radius';
 async function prepare(page, home, hash = '') {
   await open(page, `${home}${STEP}.html${hash}`);
   const line = page.locator('[data-line=normal]');
-  // Playwright's own scrolling would wait for the element, which colouring may replace meanwhile.
+  // Don't use Playwright's own scrolling, which waits for the element: colouring may replace the
+  // element meanwhile.
   await line.evaluate(one => one.scrollIntoView({ block: 'center' }));
   const listing = page.locator('.with-margin', { has: line });
   await listing.locator('code.hljs').or(listing.locator('canvas')).first().waitFor();
@@ -88,7 +89,7 @@ test('lines of an address, and lines that are let go, stay in the picture, the a
   await other.focus();
   await page.keyboard.press('ControlOrMeta+Z');
   await expect(other).toHaveText('(1.0');
-  await line.click(); // It's in another listing, so Undo has to jump back.
+  await line.click(); // This line is in a different listing, so Undo has to jump back.
   await page.getByRole('button', { name: 'Undo' }).click();
   await expect(listing.locator('canvas')).toBeInViewport();
 });
@@ -130,7 +131,7 @@ test('a line stays in its place when the panel comes from a listing above', asyn
   const other = page.locator('[data-line=attenuation]');
   await line.click();
   await other.evaluate(one => one.scrollIntoView({ block: 'center' }));
-  await page.waitForTimeout(500); // Parts that have come near the view are laid out.
+  await page.waitForTimeout(500); // Wait until parts that have come near the view are laid out.
   const place = async () => (await other.boundingBox()).y;
   const before = await place();
   await other.click();

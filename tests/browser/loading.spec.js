@@ -14,8 +14,8 @@ async function findFigure(page, address) {
 }
 
 test('a module and a search that fail to load are loaded again', async ({ browser, home }) => {
-  // Don't use the fixture's page: it fails a test if the browser reports an error, and here the
-  // browser will report the failed first load.
+  // Don't use the fixture's page, which fails the test if the browser reports an error: here, the
+  // browser will report that the first attempt to load a file fails.
   const page = await browser.newPage();
   for (const file of ['live-module', 'search-index']) await page.route(`**/${file}.js`, route => route.abort(), { times: 1 });
   const figure = await findFigure(page, home + name);
@@ -65,8 +65,8 @@ test('a prompt is not copied', async ({ page, home }) => {
   expect(copied).toMatch(/^cargo/);
 });
 
-// Runs a test under a different policy, on a page that isn't the fixture's, since the browser may
-// report errors there.
+// Runs a test on a page that is served with this policy. The browser may report errors, so this
+// isn't the fixture's page, which would fail the test.
 async function withPolicy(browser, policy, run) {
   const { server, address } = await serve(policy);
   const page = await browser.newPage();

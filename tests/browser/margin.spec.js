@@ -1,5 +1,5 @@
-// If there is room for a margin, notes stand in it, level with their blocks. Otherwise they follow
-// their blocks.
+// If there is room for a margin, the notes are in the margin, level with their blocks. Otherwise,
+// the notes follow their blocks.
 import { chapters } from './book.js';
 import { expect, open, test } from './fixtures.js';
 
@@ -37,10 +37,10 @@ const measure = () => {
   };
 };
 
-// Describes what is wrong with the notes on a page where they stand beside their blocks.
+// Describes what is wrong with a page on which the notes should be beside their blocks.
 function findFaults({ page, edge, blocks, frames, narrow, height }) {
-  const faults = blocks.filter(({ right }) => right > edge + 1).map(({ name, right }) => `${name} ends ${right - edge} px behind the text`);
-  faults.push(...narrow.map(path => `${path} scrolls`));
+  const faults = blocks.filter(({ right }) => right > edge + 1).map(({ name, right }) => `${name} ends ${right - edge} px to the right of the text`);
+  faults.push(...narrow.map(path => `the listing of ${path} scrolls`));
   let end = 0;
   for (const { block, notes } of frames) {
     for (const { name, left, right, top, bottom, cut } of notes) {
@@ -55,7 +55,7 @@ function findFaults({ page, edge, blocks, frames, narrow, height }) {
 }
 
 for (const width of SIDE_BY_SIDE) {
-  // Without THOROUGH=1, one of the widths is enough.
+  // Without THOROUGH=1, it's enough to test one of the widths.
   test(`notes stand beside their blocks at ${width} pixels, and none covers another${width === 1440 ? '' : ' @thorough'}`, async ({ page, home }) => {
     test.setTimeout(180_000);
     await page.setViewportSize({ width, height: 900 });
@@ -80,8 +80,9 @@ test('notes that are too long for their blocks push each other down, and do not 
   await page.locator('.with-margin > .note').evaluateAll(notes => notes.forEach(note => { note.textContent = note.textContent.repeat(9); }));
   const layout = await page.evaluate(measure);
   expect(findFaults(layout)).toEqual([]);
-  expect(layout.frames.some(({ block, notes }) => notes.some(({ top }) => top > block.bottom)), 'one is pushed down').toBe(true);
-  // Compare the gaps, not the positions, since a figure grows when it becomes ready.
+  expect(layout.frames.some(({ block, notes }) => notes.some(({ top }) => top > block.bottom)), 'a note is pushed down').toBe(true);
+  // Compare the gaps between blocks, not their positions, since a figure grows when it becomes
+  // ready.
   const gaps = blocks => blocks.slice(1).map(({ top }, k) => Math.round(top - blocks[k].bottom));
   expect(gaps(layout.blocks)).toEqual(gaps(blocks));
 });
@@ -94,7 +95,7 @@ for (const [width, media] of [[390, 'screen'], [1000, 'screen'], [1440, 'print']
     await openWhole(page, `${home}step02_sphere.html`);
     const { frames } = await page.evaluate(measure);
     for (const { block, notes } of frames) {
-      let end = block.bottom - 30; // A test's name may stand at the end of the last line.
+      let end = block.bottom - 30; // A test's name may be beside the block's last line.
       for (const { name, top, bottom, right, cut } of notes) {
         expect.soft(top, name).toBeGreaterThan(end);
         expect.soft(right, name).toBeLessThanOrEqual(width);

@@ -9,14 +9,14 @@ test('a ball is dragged, coloured, undone and kept, and a sphere comes in', asyn
   const press = name => page.getByRole('button', { name }).click();
   const { x, y, width } = await page.locator('.stage').boundingBox();
   const move = (i, j) => page.mouse.move(x + i / 640 * width, y + j / 640 * width, { steps: 3 });
-  await move(250, 240); // The red ball, beside its ring.
+  await move(250, 240); // A point on the red ball, outside its handle.
   await page.mouse.down();
   await move(250, 220);
   await page.waitForTimeout(400);
   await expect(page, 'a drag that pauses is not over').not.toHaveURL(/#scene/);
   await move(250, 200);
   await page.mouse.up();
-  await page.keyboard.press('ControlOrMeta+z'); // Before the address is written.
+  await page.keyboard.press('ControlOrMeta+z'); // The address isn't written yet.
   await expect(page).not.toHaveURL(/#scene/);
   await press('Redo');
   await expect(page.locator('.handle.covered')).toHaveCount(0);
@@ -40,7 +40,7 @@ test('a ball is dragged, coloured, undone and kept, and a sphere comes in', asyn
   await press('Undo');
   await expect(page).toHaveURL(/tenth-sphere/);
 
-  // The link to a ready-made scene draws it.
+  // A link to a ready-made scene draws that scene.
   await page.locator('main a[href^="#scene="]').first().click();
   await expect(page).not.toHaveURL(/tenth-sphere/);
   await expect(page.locator('.refused')).toBeHidden();
@@ -87,7 +87,7 @@ for (const [width, height] of [[390, 508], [1024, 700]]) {
     await expect(page.locator('.stage')).toBeInViewport({ ratio: 1 });
     const sliders = await page.locator('.controls input[type=range]:visible').evaluateAll(all => all.map(one => one.clientWidth));
     expect(Math.min(...sliders), 'the width of a slider').toBeGreaterThan(120);
-    expect(Math.max(...sliders) - Math.min(...sliders), 'all are equally wide').toBeLessThanOrEqual(1);
+    expect(Math.max(...sliders) - Math.min(...sliders), 'the sliders are equally wide').toBeLessThanOrEqual(1);
   });
 }
 
@@ -117,7 +117,7 @@ test('the first page’s picture loads nothing until somebody is at it, then a b
   const link = figure.getByRole('link', { name: 'A scene of your own' });
   await expect(link).toHaveAttribute('href', /own_scene.html#scene=red-sphere-upwards:0.\d+$/);
   expect(page.url()).not.toContain('#');
-  // At rest, the picture has as many columns as the printed one. Reset puts the ball back.
+  // At rest, the picture has as many columns as the printed picture. Reset puts the ball back.
   await expect(figure.locator('canvas')).toHaveAttribute('width', '1280');
   const reset = figure.getByRole('button', { name: 'Reset' });
   await reset.click();

@@ -3,7 +3,7 @@ import AxeBuilder from '@axe-core/playwright';
 import { chapters, pages } from './book.js';
 import { expect, open, test } from './fixtures.js';
 
-// Opens a page, opens all folded boxes on it, and lays out the parts far below.
+// Opens a page, opens all folded boxes on it, and lays out even the parts far below the window.
 async function openAll(page, address) {
   await open(page, address);
   await page.evaluate(() => {
@@ -22,7 +22,7 @@ for (const name of pages) {
       const missing = pictures.filter(one => one.naturalWidth === 0).map(one => one.src);
       return [root.scrollWidth - root.clientWidth, missing];
     });
-    expect.soft(sideways, 'pixels by which it scrolls sideways').toBeLessThanOrEqual(1);
+    expect.soft(sideways, 'pixels by which the page scrolls sideways').toBeLessThanOrEqual(1);
     expect.soft(missing, 'pictures that do not load').toEqual([]);
   });
 }
@@ -77,20 +77,20 @@ test('commands are copied without the prompt and the output', async ({ page, hom
     + 'cargo run -p step01_rays -- --aspect 2.59:1 --output cinerama.png');
 });
 
-// These pages consist of the same kinds of parts as the others, such as step 4's page, so axe
-// checks them only with THOROUGH=1.
+// axe checks these pages only with THOROUGH=1, because they consist of the same kinds of parts as
+// other pages, such as step 4's.
 const THOROUGH_PAGES = /^(step0[1235]|way_back|mistakes)/;
 
 for (const name of chapters) {
   test(`${name} is accessible`, { tag: THOROUGH_PAGES.test(name) ? '@thorough' : [] }, async ({ page, home, browserName }) => {
     test.skip(browserName !== 'chromium', 'axe finds the same in all browsers');
     await openAll(page, home + name);
-    // Colours and width rarely make a difference, so one combination is usually enough.
+    // Colours and width rarely make a difference, so one combination is enough without THOROUGH=1.
     for (const [width, colorScheme] of process.env.THOROUGH ? [[1280, 'light'], [390, 'dark']] : [[1280, 'light']]) {
       await page.setViewportSize({ width, height: 900 });
       await page.emulateMedia({ colorScheme });
-      // axe doesn't know MathML: it checks each letter of a formula on its own, and takes a table
-      // header that is a formula to be empty.
+      // axe doesn't know MathML. It checks each letter of a formula on its own, and thinks that a
+      // table header is empty if it consists of a formula.
       const axe = new AxeBuilder({ page }).options({ preload: false, rules: { 'empty-table-header': { enabled: false } } }).exclude('math');
       const { violations } = await axe.analyze();
       const faults = violations.map(({ id, help, nodes }) => `${id}: ${help}, at ${nodes[0].target}`);

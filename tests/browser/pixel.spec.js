@@ -1,10 +1,10 @@
-// Choosing a pixel shows a line about it below the picture, opens its panel, and changes the
-// address.
+// Choosing a pixel of a picture shows a line about the pixel below the picture, opens the picture's
+// panel, and changes the address.
 import { expect, makeReady, open, test } from './fixtures.js';
 
 test('a link that names a pixel selects it, and Back returns to the link', async ({ page, home }) => {
   await open(page, `${home}step03_nearest.html`);
-  // Lay out everything above, as if the reader had scrolled down to here.
+  // Lay out all of the page, as if the reader had scrolled down through it.
   await page.locator('main > *').evaluateAll(parts => parts.forEach(part => { part.style.contentVisibility = 'visible'; }));
   const figure = page.locator('figure[data-live="step03_nearest"]');
   const link = page.locator('a[href$="#pixel=195,237"]').first();
@@ -46,7 +46,7 @@ test('the first click on a picture opens the panel beside it, and the address fo
   expect((await figure.locator('.stage').boundingBox()).y).toBe(y);
   await panel.locator('summary').click();
   await expect(panel).toBeHidden();
-  await figure.locator('.handle-probe').click(); // The same pixel.
+  await figure.locator('.handle-probe').click(); // This chooses the same pixel.
   await expect(panel).toBeVisible();
   await figure.locator('.reset').click();
   await expect(page).not.toHaveURL(/#pixel/);
@@ -68,7 +68,7 @@ test('a click on the handle of the disc chooses its pixel, and a drag does not',
   await page.mouse.move(x + 40, y, { steps: 3 });
   await page.mouse.up();
   await expect(figure.locator('.hint b')).not.toHaveText('sphere, t = 4');
-  await page.waitForTimeout(300); // The address follows a pixel after a rest.
+  await page.waitForTimeout(300); // The address would change only after a pause.
   expect(page.url()).toBe(address);
 });
 
@@ -79,7 +79,7 @@ for (const [name, seen] of Object.entries({
     await open(page, `${home}${name}.html`);
     const preview = page.locator('figure[data-preview]');
     const { x, y, width } = await preview.locator('img').boundingBox();
-    await page.mouse.click(x + 0.58 * width, y + 0.3 * width); // Before it's ready.
+    await page.mouse.click(x + 0.58 * width, y + 0.3 * width); // The figure isn't ready yet.
     await expect(preview.locator('.hint b')).toContainText(seen, { timeout: 20_000 });
     await expect(preview.locator('.hint')).toBeInViewport();
     const words = await preview.locator('.handle-probe').getAttribute('aria-valuetext');

@@ -1,15 +1,16 @@
-// The projects. Each is a browser, a window size, and a way to open the pages.
+// Playwright's settings. A project consists of a browser, a window size, and a way to open the
+// pages.
 import { defineConfig } from '@playwright/test';
 import { spawnSync } from 'node:child_process';
 
-// Finds the first installed program among these names.
+// Finds the first of these programs that is installed, and returns its path.
 const find = (...names) => names.map(name => spawnSync('which', [name], { encoding: 'utf8' }).stdout.trim()).find(Boolean);
 const chromium = {
   browserName: 'chromium',
   launchOptions: { executablePath: find('chromium', 'google-chrome'), args: ['--no-sandbox', '--disable-gpu'] },
 };
-// An ordinary Firefox has no command to set the colour scheme. Playwright 1.65 sends that command
-// anyway, so package.json stays at 1.64.
+// An ordinary Firefox has no command that sets the colour scheme. Playwright 1.65 would send such a
+// command anyway, so package.json stays at 1.64.
 const firefox = {
   browserName: 'firefox',
   channel: 'moz-firefox',
@@ -39,7 +40,8 @@ export default defineConfig({
       grepInvert: isThorough ? [] : /@thorough|first results|has one height/,
       use: { ...firefox, ...view(390), source: 'folder' },
     },
-    // Only with THOROUGH=1, since these take minutes and find little that the others miss.
+    // These run only with THOROUGH=1, since they take minutes, and find little that the other
+    // projects miss.
     ...isThorough ? [
       { name: 'firefox-wide', testIgnore: ['webkit.spec.js', 'loading.spec.js'], use: { ...firefox, ...view(1280) } },
       { name: 'webkit', testMatch: 'webkit.spec.js' },

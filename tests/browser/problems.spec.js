@@ -1,5 +1,5 @@
-// The form below a problem on paper says whether a number is right or, if it isn't, how wrong it
-// is.
+// The form below a problem on paper says whether a number is right. If the number is wrong, the
+// form says how wrong it is.
 import { expect, open, test } from './fixtures.js';
 
 test('a number for a problem is right, close or wrong', async ({ page, home }) => {
@@ -15,7 +15,7 @@ test('a number for a problem is right, close or wrong', async ({ page, home }) =
     await problem.getByRole('button', { name: 'Check' }).click();
     await expect(problem.locator('output')).toHaveText(words);
   }
-  // The number is kept, with its verdict, on the sheet of all problems, too.
+  // The page keeps the number and its verdict. The sheet of all problems shows them, too.
   await problem.getByRole('textbox').fill(String(answer));
   await problem.getByRole('button', { name: 'Check' }).click();
   for (const name of ['step01_practice.html', 'problems.html']) {

@@ -3,13 +3,18 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { expect, open, test } from './fixtures.js';
 
-// Pairs of a query and the right places for it. A place is an address, `hint` if the search should
-// say what to do about a message from the compiler, or `nothing` if the book has nothing about it.
+// Pairs of a query and the right places for it. A place is one of these:
+//
+// - an address,
+// - `hint`, if the query is a message from the compiler, and the search should say what to do about
+//   it,
+// - `nothing`, if the book has nothing about the query.
 const queries = readFileSync(join(import.meta.dirname, 'search_queries.txt'), 'utf8').trim().split('\n')
   .map(line => line.split(' → ')).map(([query, places]) => [query, places.split(' or ')]);
 
-// Opens the search by its key, which works once its script has run, and types a query. If the query
-// is null, the previous one stays in the field. Returns the first result.
+// Opens the search with a key, and types a query. The key is pressed until it works, which requires
+// that the search's script has run. If the query is null, the previous query stays in the field.
+// Returns the first result.
 async function search(page, query) {
   const field = page.locator('#search-field');
   await expect(async () => {
@@ -36,7 +41,7 @@ test('first results are right for 19 of 20 queries', async ({ page, home }) => {
   }
   const sections = await page.evaluate(() => book.searchIndex.flatMap(([page, , sections]) => sections.map(([id]) => `${page}#${id}`)));
   const addresses = queries.flatMap(([, places]) => places).filter(place => place.includes('#'));
-  expect(addresses.filter(place => !sections.includes(place)), 'places that are gone').toEqual([]);
+  expect(addresses.filter(place => !sections.includes(place)), 'places that the book no longer has').toEqual([]);
   expect(wrong.length, wrong.join('\n')).toBeLessThanOrEqual(tried.length / 20);
 });
 
@@ -65,7 +70,7 @@ test('keys open the search, a click outside closes it, and the query stays after
     await page.keyboard.press(key);
     await expect(box, key).toBeVisible();
   }
-  // A click inside, and a selection that ends outside, leave it open.
+  // A click inside the search leaves it open, and so does a selection that ends outside.
   const { x, y, width, height } = await box.boundingBox();
   await page.mouse.click(x + 5, y + 100);
   const field = await page.locator('#search-field').boundingBox();
@@ -80,7 +85,8 @@ test('keys open the search, a click outside closes it, and the query stays after
   await expect(page.locator('#search-field')).toHaveValue('lambert');
   await page.keyboard.press('Enter');
   await page.waitForURL('**/step04_diffuse.html#*');
-  // After Back, the test can't tell when Firefox has restored a page, so the page is loaded again.
+  // Load the page again instead of going back, because a test can't tell when Firefox has restored
+  // a page.
   await open(page, `${home}introduction.html`);
   await search(page, null);
   await expect(page.locator('#search-field')).toHaveValue('lambert');
@@ -92,13 +98,13 @@ test('Enter goes to the heading', async ({ page, home }) => {
   const found = queries.filter(([, [place]]) => place.includes('#'));
   for (const [query] of found.filter((_, k) => process.env.THOROUGH || k % 100 === 0)) {
     await open(page, `${home}introduction.html`);
-    // First from a different page, then from the end of the page itself.
+    // Search first from a different page, then from the end of the page with the heading.
     for (const way of ['from another page', 'on its own page']) {
       const address = new URL(await (await search(page, query)).getAttribute('href'), page.url());
       await page.keyboard.press('Enter');
       await page.waitForURL(address.href);
       await expect(page.locator('#search')).toBeHidden();
-      await page.waitForTimeout(400); // Parts that come into view may still be laid out.
+      await page.waitForTimeout(400); // Wait until parts that come into view are laid out.
       await expect.soft(page.locator(`[id="${address.hash.slice(1)}"]`), `${query} ${way}`).toBeInViewport();
       await page.evaluate(() => scrollTo(0, document.body.scrollHeight));
     }
@@ -107,8 +113,8 @@ test('Enter goes to the heading', async ({ page, home }) => {
 
 test('the search keeps the reader’s place, and offers near matches', async ({ page, home }) => {
   await open(page, `${home}step03_nearest.html`);
-  // Lay out everything first, since a part above that is laid out later would move the reader's
-  // place as well.
+  // Lay out everything first. Otherwise, a part above the reader's place might be laid out later,
+  // which would move that place, too.
   await page.locator('main > *').evaluateAll(parts => parts.forEach(part => { part.style.contentVisibility = 'visible'; }));
   await page.evaluate(() => scrollTo(0, 2000));
   const place = await page.evaluate(() => scrollY);
@@ -118,7 +124,7 @@ test('the search keeps the reader’s place, and offers near matches', async ({ 
   await expect(result).toBeFocused();
   await page.keyboard.press('Escape');
   await expect(page.locator('#search')).toBeHidden();
-  // A figure that becomes ready may move the place by a line.
+  // A figure that becomes ready may move the reader's place by a line.
   expect(Math.abs(await page.evaluate(() => scrollY) - place)).toBeLessThan(30);
   await search(page, 'qqqqq');
   await expect(page.locator('#search-status')).toContainText('Nothing');

@@ -1,5 +1,5 @@
-// A server for the book, reachable only from this machine. It is as strict as a careful server
-// would be: it sends a Content-Security-Policy.
+// A server for the book, reachable only from this machine. Like a careful server on the web, it
+// sends a strict Content-Security-Policy.
 import { readFile } from 'node:fs/promises';
 import { createServer } from 'node:http';
 import { once } from 'node:events';
@@ -22,7 +22,7 @@ export const POLICY = [
   `require-trusted-types-for 'script'`,
 ].join('; ');
 
-// Starts a server with this policy. Returns the server and the address of the book there.
+// Starts a server with this policy. Returns the server and the book's address.
 export async function serve(policy = POLICY) {
   const server = createServer(async (request, response) => {
     const { pathname } = new URL(request.url, 'http://127.0.0.1');

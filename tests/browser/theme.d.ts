@@ -1,7 +1,7 @@
 // The types for the scripts in book/theme: what the scripts share, and what the modules reply. The
-// command `npm run types` checks the scripts against them.
+// command `npm run types` checks the scripts against these types.
 
-/** What the pages' scripts share, under the only name that they have in common. */
+/** What the pages' scripts share: the members of the global object `book`. */
 interface Book {
   /** The `html` element. */
   root: HTMLElement;
@@ -13,29 +13,30 @@ interface Book {
     tag: K, attributes: Record<string, string | number | boolean>, ...children: (Node | string)[]
   ): HTMLElementTagNameMap[K];
   /**
-   * Sets an element's text, unless the text is there already. In that case, nothing has to be laid
-   * out again.
+   * Sets an element's text, unless the element already has this text. Setting it again would make
+   * the browser lay out the element again.
    */
   setText(element: Element, text: string): void;
-  /** Makes a range of `length` letters in an element, starting with the one at `from`. */
+  /** Makes a range of `length` letters in an element, starting with the letter at `from`. */
   makeRange(element: Element, from: number, length: number): Range;
-  /** Runs a function that writes HTML, which has to come from these scripts or the modules. */
+  /** Runs a function that writes HTML. The HTML has to come from these scripts or the modules. */
   writeHTML(act: () => void): void;
   /** Allows the page to load a script, or start a worker, from this address. */
   trustAddress(address: string): void;
   /**
-   * Copies a text, if the browser allows it, and says on the button for a while whether it was
-   * copied.
+   * Copies a text, if the browser allows that. For a while, the button says whether the text
+   * was copied.
    */
   copyAndReport(button: HTMLButtonElement, text: string, words?: string): Promise<void>;
-  /** Returns the values that the browser stores under this name, by key, or an empty object. */
+  /** Returns the keys and values that the browser stores under this name, or an empty object. */
   recall(name: string): Record<string, any>;
   /** Stores a value in the browser under a name and a key, if the reader's settings allow that. */
   store(name: string, key: string, value: string | boolean): void;
-  /** Ticks the steps in the contents for which the reader's picture was right. */
+  /** In the contents, ticks the steps for which the reader's picture was right. */
   markRight(): void;
   /**
-   * Parses a number as people type it: 58.72, 58,72, 1/2, −3 or 60°. Returns NaN if it isn't one.
+   * Parses a number as people type it: 58.72, 58,72, 1/2, −3 or 60°. Returns NaN if the text isn't
+   * a number.
    */
   readNumber(text: string): number;
   /**
@@ -46,16 +47,18 @@ interface Book {
   /** Calls `near` once for each element, when that element comes near the view. */
   whenNear(elements: Iterable<HTMLElement> & { forEach(act: (element: HTMLElement) => void): void }, near: (element: HTMLElement) => void): void;
   /**
-   * Loads a script, unless it has been loaded, and returns whether that worked. Scripts run in the
-   * order in which they are asked for, except for large ones. One that failed is loaded again the
-   * next time.
+   * Loads a script, unless it has been loaded already. Returns whether the script is loaded.
+   * Scripts run in the order in which they are asked for, except for large scripts. If a script
+   * can't be loaded, the next call tries again.
    */
   load(file: string, isLarge?: boolean): Promise<boolean>;
   /** Colours a listing. */
   colourCode(code: Element): void;
-  /** Colours a listing once the script for that has loaded, unless the listing is being edited. */
+  /**
+   * Colours a listing once the script for colouring has loaded, unless the listing is being edited.
+   */
   colour(code: Element): void;
-  /** The last press on each preview that wasn't ready then. */
+  /** For each preview that was pressed before it was ready: the last press. */
   presses: Map<Element, PointerEvent>;
   /** A history of states, for undo and redo. */
   History: new <State>(state: State) => UndoHistory<State>;
@@ -63,22 +66,22 @@ interface Book {
   // wasm.js
 
   modules: {
-    /** Stores a file that a generated script contains, encoded as base64. */
+    /** Stores a file, encoded as base64. A generated script that contains a file calls this. */
     provide(name: string, base64: string): void;
     /** Loads a module and what it needs, without starting it. */
     compile(name: ModuleName): Promise<CompiledModule>;
-    /** Returns the module of this name, started. */
+    /** Returns the module of this name. Starts it if it isn't running. */
     get(name: ModuleName): Promise<Module>;
     /** Forgets a module that failed, so that the next request starts it again. */
     drop(name: ModuleName): void;
   };
-  /** Starts a module, and passes it the list of mistakes if it needs that list. */
+  /** Starts a module. If the module needs the list of mistakes, passes it that list. */
   startModule(compiled: CompiledModule): Promise<Module>;
   /** The error for a request that a module refuses. */
   Refusal: new (message: string) => Error;
   /**
-   * Sends a request to a module, with a file if it needs one, and returns the module's reply.
-   * Throws a refusal if the reply is an error.
+   * Sends a request to a module, with a file if the request needs one, and returns the module's
+   * reply. Throws a `Refusal` if the reply is an error.
    */
   ask<R extends ModuleRequest>(module: Module, request: R, file?: Uint8Array): ModuleReplies[R["request"]];
   /**
@@ -103,14 +106,16 @@ interface Book {
    * listings, and the phrases by which readers look for it.
    */
   searchIndex: [string, string, [string, string, string, string, string[]][]][];
-  /** The section to read, the compiler's messages, and a sentence that says what to do. */
+  /**
+   * For each hint: the section to read, the compiler's messages that lead to it, and what to do.
+   */
   searchHints: [string, string[], string][];
-  /** Groups of words that mean nearly the same. */
+  /** Groups of words with nearly the same meaning. */
   searchSynonyms: string[][];
 }
 
 interface UndoHistory<State> {
-  /** Adds a state, unless it equals the current one, and drops the states that were undone. */
+  /** Adds a state, unless it equals the current state, and drops the states that were undone. */
   record(state: State): void;
   /** Whether there is a state this many steps later, or earlier if the number is negative. */
   has(steps: number): boolean;
@@ -139,17 +144,17 @@ interface Pixels {
 }
 
 /**
- * What the scripts ask the modules for. They send it as JSON, and the crate `page` parses it in
+ * A request from a script to a module. The script sends it as JSON. The crate `page` parses it in
  * request.rs, where the names are the same.
  */
 type ModuleRequest = MistakesRequest | CheckRequest | CheckSceneRequest | EditRequest | FigureRequest;
 
-/** Keeps the list of mistakes, which is the file. */
+/** Makes the module store the list of mistakes, which is the file sent with the request. */
 interface MistakesRequest {
   request: "mistakes";
 }
 
-/** Checks the file. */
+/** Checks the picture in the file sent with the request. */
 interface CheckRequest {
   request: "check";
   fileName: string;
@@ -168,23 +173,23 @@ interface CheckSceneRequest {
 interface EditRequest {
   request: "edit";
   columns: number;
-  /** The first is the one that the reader is editing now. */
+  /** The edited lines. The first is the line that the reader is editing now. */
   lines: { place: string, text: string }[];
 }
 
 /** Asks for something about the figure of this name. */
 type FigureRequest = { figure: string } & (
-  /** Describes the parameters and the handles. */
+  /** Asks for a description of the parameters and the handles. */
   | { request: "about" }
-  /** Sends everything that the page shows at these values. */
+  /** Asks for everything that the page shows at these values. */
   | { request: "show", values: ParameterValues, columns: number | null }
-  /** Sends the same without the drawing or the pixels. */
+  /** Asks for the same as "show", but without the drawing or the pixels. */
   | { request: "read", values: ParameterValues }
-  /** Sends the same as "show", after a handle was dragged. */
+  /** Asks for the same as "show", after a handle was dragged. */
   | { request: "drag", values: ParameterValues, handle: number, position: [number, number], columns: number | null }
-  /** Finds the object at a position. */
+  /** Asks for the object at a position. */
   | { request: "pick", values: ParameterValues, position: [number, number] }
-  /** Sends the same as "show", at the values of an address. */
+  /** Asks for the same as "show", at the values in an address. */
   | { request: "open", address: string }
 );
 
@@ -194,7 +199,7 @@ type Gesture =
   | { request: "read" }
   | { request: "drag", handle: number, position: [number, number] };
 
-/** The reply to each request, unless it is an error. */
+/** For each kind of request: the reply, unless the module refuses the request. */
 interface ModuleReplies {
   mistakes: {};
   check: CheckReply;
@@ -208,10 +213,12 @@ interface ModuleReplies {
   open: FigureReply;
 }
 
-/** The exit code of `check`: 0 if the picture is right, 1 if it isn't, and 2 if it can't be checked. */
+/**
+ * The exit code of `check`: 0 if the picture is right, 1 if it isn't, and 2 if it can't be checked.
+ */
 type ExitCode = 0 | 1 | 2;
 
-/** The reply of `check` to a file, with the lines of its answer, headline first. */
+/** The reply of `check` to a file. `lines` is the text of the answer, headline first. */
 interface CheckReply extends Pixels {
   code: ExitCode;
   lines: string[];
@@ -247,7 +254,7 @@ interface ParameterAbout {
 interface HandleAbout {
   label: string;
   mark: "point" | "light" | "probe";
-  /** The ids of the parameters that it sets. */
+  /** The ids of the parameters that the handle sets. */
   horizontal: string;
   vertical: string;
   depth: string | null;
@@ -260,7 +267,9 @@ interface FigureAbout {
   handles: HandleAbout[];
   /** The number of columns of a picture at full size; null for a drawing. */
   columns: number | null;
-  /** Only for an editable scene: for each object, the ids of the three channels of its colour. */
+  /**
+   * Only for an editable scene: for each object, the ids of the parameters for red, green and blue.
+   */
   colours?: Record<string, string[]>;
 }
 
@@ -286,11 +295,11 @@ interface Control {
 interface Handle {
   about: HandleAbout;
   element: HTMLElement;
-  /** Its index in the list of handles. */
+  /** The handle's index in the figure's list of handles. */
   index: number;
-  /** The object that it moves, in an editable scene. */
+  /** In an editable scene: the object that the handle moves. */
   object: string | undefined;
-  /** Its position in the last reply. */
+  /** The handle's position in the last reply. */
   position: [number, number] | null;
   grab(event: PointerEvent): void;
   changeDepth(length: number): void;
@@ -307,23 +316,23 @@ interface InteractiveFigure {
   handles: Handle[];
   probe: Handle | undefined;
   root: HTMLElement;
-  /** Whether it is a preview, which has no controls. */
+  /** Whether the figure is a preview, which has no controls. */
   isPreview: boolean;
   stage: HTMLElement;
   controls: HTMLElement;
   fault: HTMLElement;
   output: HTMLElement;
   reset: HTMLButtonElement;
-  /** The menu that chooses an object, in an editable scene. */
+  /** In an editable scene: the menu that chooses an object. */
   objectSelect: HTMLSelectElement | null;
   /** Width and height, in the figure's own coordinates. */
   size: number[];
-  /** Has this called each time a reply has been shown. */
+  /** Registers a callback to be called each time after a reply is shown. */
   afterShow(callback: () => void): void;
-  /** Has this called each time the controls have been shown. */
+  /** Registers a callback to be called each time after the controls are shown. */
   afterControls(callback: () => void): void;
   setValue(id: string, value: number): void;
-  /** Whether there is something to show if one of the values is this. */
+  /** Whether the figure has something to show if the parameter `id` has this value. */
   canShow(id: string, value: number): boolean;
   controlOf(id: string): Control;
   selectObject(object: string | undefined): void;
@@ -340,14 +349,14 @@ interface EditedLine extends HTMLElement {
   bookHTML?: string;
 }
 
-// What the browser's own types don't cover.
+// Declarations that TypeScript's own types for browsers don't contain.
 
 interface ParentNode {
   querySelector<K extends keyof HTMLElementTagNameMap>(selectors: K): HTMLElementTagNameMap[K];
   querySelectorAll<K extends keyof HTMLElementTagNameMap>(selectors: K): NodeListOf<HTMLElementTagNameMap[K]>;
   /**
-   * The caller knows what the builder has printed. If it needs more than an `HTMLElement`, it names
-   * the type.
+   * The caller knows what element the builder has printed. A caller that needs more than an
+   * `HTMLElement` names the element's type.
    */
   querySelector<E extends HTMLElement>(selectors: string): E;
   querySelectorAll<E extends HTMLElement>(selectors: string): NodeListOf<E>;

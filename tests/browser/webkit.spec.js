@@ -1,12 +1,12 @@
-// Every figure becomes ready in WebKit. WebKit runs through its own driver, because nobody browses
-// with Playwright's build of it.
+// Every figure becomes ready in WebKit. WebKit runs through its own driver: Playwright has a build
+// of WebKit, but nobody browses with that.
 import { spawn } from 'node:child_process';
 import { once } from 'node:events';
 import { figures } from './book.js';
 import { expect, test } from './fixtures.js';
 
-// Opens the boxes of a page, and scrolls its figures into view, one after the other. Returns the
-// names of those that don't become ready.
+// Opens all folded boxes on a page, and scrolls its figures into view, one after the other. Returns
+// the names of the figures that don't become ready.
 const wake = async () => {
   document.querySelectorAll('details').forEach(box => { box.open = true; });
   const asleep = () => [...document.querySelectorAll('figure[data-live]:not([data-ready])')];
@@ -22,7 +22,7 @@ test('every figure becomes ready', async ({ home }) => {
   const screen = spawn('Xvfb', ['-displayfd', '1'], { stdio: ['ignore', 'pipe', 'ignore'] });
   const DISPLAY = `:${String(await once(screen.stdout, 'data')).trim()}`;
   const driver = spawn('WebKitWebDriver', ['--port=4444'], { stdio: 'ignore', env: { ...process.env, DISPLAY } });
-  // Posts a command to the driver, and returns its result.
+  // Posts a command to the driver, and returns the driver's reply.
   const post = async (path, body) => {
     const response = await fetch(`http://127.0.0.1:4444/session${path}`, { method: 'POST', body: JSON.stringify(body) });
     return (await response.json()).value;
