@@ -1,5 +1,6 @@
-//! Compares every locked picture (those of the steps, exercises and chapters, and the cover) with
-//! its snapshot, each in a test named after the picture. These tests run before all others.
+//! Draws every locked picture, and compares it with its snapshot. Each picture has a test that is
+//! named after it. The locked pictures are those of the steps, exercises and chapters, and the
+//! cover. These tests run before all others.
 
 use course::{draw_with_difference, workspace};
 use image::{Rgb, RgbImage};
@@ -26,7 +27,7 @@ support::with_chapter_picture_names!(test_pictures);
 fn assert_locked_picture(name: &str) {
     let pictures = locked_pictures();
     let picture = pictures.iter().find(|(picture_name, ..)| *picture_name == name);
-    let (_, camera, draw) = picture.unwrap_or_else(|| panic!("no picture {name}"));
+    let (_, camera, draw) = picture.unwrap_or_else(|| panic!("no locked picture is called {name}"));
     compare_pixels(name, &draw(camera, 1), |png| {
         assert_binary_snapshot!(&format!("{name}.png"), png);
     });
@@ -34,7 +35,9 @@ fn assert_locked_picture(name: &str) {
 
 #[test]
 fn each_snapshot_has_a_test_of_its_name() {
-    let files = fs::read_dir(workspace().join("tests/snapshots")).expect("a folder").flatten();
+    let files = fs::read_dir(workspace().join("tests/snapshots"))
+        .expect("the folder can be read")
+        .flatten();
     let names = files.map(|file| file.file_name().to_string_lossy().into_owned());
     let tested: Vec<_> = locked_pictures().into_iter().map(|(name, ..)| name).collect();
     let is_tested = |file: &String| {
@@ -43,29 +46,32 @@ fn each_snapshot_has_a_test_of_its_name() {
             || tested.contains(&name) && ["snap", "snap.png"].contains(&extension)
     };
     let orphans: Vec<_> = names.filter(|file| !is_tested(file)).collect();
-    assert!(orphans.is_empty(), "no test draws {orphans:?}");
+    assert!(orphans.is_empty(), "no test compares {orphans:?}");
 }
 
 /// Returns all files in a folder and its subfolders.
 fn files_below(folder: &Path) -> Vec<PathBuf> {
-    let paths = fs::read_dir(folder).expect("a folder").flatten().map(|entry| entry.path());
+    let paths =
+        fs::read_dir(folder).expect("the folder can be read").flatten().map(|entry| entry.path());
     let files = paths.map(|path| if path.is_dir() { files_below(&path) } else { vec![path] });
     files.flatten().collect()
 }
 
-/// A text snapshot is named after its test function, or by a string in its crate. Only insta knows
-/// for certain which snapshots are compared (`cargo insta test --unreferenced=reject`), but one
-/// whose name occurs nowhere can't belong to any test.
+/// A text snapshot has the name of its test function, or a name that is a string in its crate. So a
+/// snapshot whose name occurs nowhere in its crate can't belong to any test. To find all unused
+/// snapshots, run `cargo insta test --unreferenced=reject`.
 #[test]
 fn each_text_snapshot_has_its_name_in_its_crate() {
     let (mut orphans, mut count) = (vec![], 0);
-    for crate_folder in fs::read_dir(workspace().join("book/crates")).expect("a folder").flatten() {
+    for crate_folder in
+        fs::read_dir(workspace().join("book/crates")).expect("the folder can be read").flatten()
+    {
         let files = files_below(&crate_folder.path());
         let files_with_extension = |extension: &'static str| {
             files.iter().filter(move |path| path.extension() == Some(extension.as_ref()))
         };
         let sources: String = files_with_extension("rs")
-            .map(|path| fs::read_to_string(path).expect("a source file"))
+            .map(|path| fs::read_to_string(path).expect("the source file can be read"))
             .collect();
         for path in files_with_extension("snap") {
             let stem = path.file_stem().unwrap_or_default().to_string_lossy();

@@ -1,4 +1,4 @@
-//! Tests that `fast` draws exactly the bytes that `render` draws with `colour`.
+//! Tests that the example `fast` draws exactly the same bytes as `render` with `colour`.
 
 use super::fast::draw;
 use course::environment::is_thorough;
@@ -11,9 +11,9 @@ use support::{RandomInputs, test_law};
 
 /// Returns every set of vector instructions that this machine supports.
 ///
-/// The library also has a fallback that uses none. It isn't tested: where all processors of the
-/// target have vector instructions, the fallback isn't even compiled, and forcing it would cost a
-/// cold `cargo test` nearly a minute of CPU time.
+/// `fearless_simd` also has a fallback without vector instructions, which we don't test. If all
+/// processors of the target have vector instructions, the fallback isn't even compiled, and forcing
+/// it would cost a cold `cargo test` nearly a minute of CPU time.
 fn simd_levels() -> Vec<Level> {
     let best = Level::new();
     let mut levels = vec![Level::baseline(), best];
@@ -25,12 +25,12 @@ fn simd_levels() -> Vec<Level> {
     levels
 }
 
-/// Asserts that `fast` draws the same bytes as `render`, with every set of instructions.
+/// Asserts that `fast` draws the same bytes as `render`, with every set of vector instructions.
 fn assert_fast_draws(camera: &Camera, samples: u32, scene: &Scene<Material, Light>) {
     let expected = render(camera, samples, |ray| colour(scene, ray));
     for level in simd_levels() {
         let image = draw(level, camera, samples, scene);
-        assert!(image == expected, "other bytes with {level:?}: {camera:?}, {samples}, {scene:?}");
+        assert!(image == expected, "wrong bytes with {level:?}: {camera:?}, {samples}, {scene:?}");
     }
 }
 
@@ -60,8 +60,8 @@ fn random_scene(random: &mut RandomInputs) -> Scene<Material, Light> {
     scene
 }
 
-/// A camera with any field of view, in any orientation, sometimes mirrored. Its picture may be
-/// wider than a tile.
+/// A camera with any field of view, in any orientation, sometimes mirrored. The picture may be
+/// wider than one of the tiles in which `fast` draws.
 fn random_camera(random: &mut RandomInputs) -> Camera {
     let angle = [0.001, 1.0, 60.0, 120.0, 179.0, 179.999][random.index(6)];
     let size = (2 + random.index(80) as u32, 1 + random.index(70) as u32);
@@ -95,8 +95,9 @@ fn fast_draws_the_bytes_of_render_from_inside_a_ball_and_from_its_surface() {
     });
 }
 
-// The ray through the middle meets both spheres at t = 4, and the larger one doesn't begin any
-// farther away, so `fast` may well test it first. The first in the scene still has to win the tie.
+// The ray through the middle meets both spheres at t = 4. Neither sphere has a nearer point, so
+// `fast` may test either of them first. The sphere that comes first in the scene still has to win
+// the tie.
 #[test]
 fn fast_shows_the_first_of_two_spheres_that_touch_where_a_ray_meets_them() {
     let mut scene = generate_scene("touching");
@@ -111,7 +112,7 @@ fn fast_shows_the_first_of_two_spheres_that_touch_where_a_ray_meets_them() {
     assert_fast_draws(&Camera::new(3, 3, f64::to_radians(90.0)), 1, &scene);
 }
 
-// If a light is exactly at a visible point, the direction from there to the light is undefined.
+// If a light is exactly at a visible point, the direction from the point to the light is undefined.
 #[test]
 fn fast_draws_the_bytes_of_render_with_a_light_at_a_visible_point() {
     test_law(25, |random| {
@@ -125,8 +126,8 @@ fn fast_draws_the_bytes_of_render_with_a_light_at_a_visible_point() {
     });
 }
 
-// If the columns of a camera's matrix lie in one plane, so do all of its rays, which may even
-// coincide.
+// If the columns of a camera's matrix lie in one plane, all of the camera's rays lie in that plane,
+// too. Some of them may even coincide.
 #[test]
 fn fast_draws_the_bytes_of_render_for_rays_in_one_plane() {
     test_law(15, |random| {
@@ -140,9 +141,9 @@ fn fast_draws_the_bytes_of_render_for_rays_in_one_plane() {
     });
 }
 
-// Two blocks of pixels meet at column 15.5. This camera's centre is at that column, and nearly in
-// the plane of the picture, so rounding errors in V turn the plane through the blocks' common edge
-// by a large angle.
+// Two of the blocks of pixels that `fast` draws meet at column 15.5. This camera's centre is at
+// that column, and nearly in the plane of the picture. So rounding errors in V turn the plane
+// through the centre and the blocks' common edge by a large angle.
 #[test]
 fn fast_draws_the_bytes_of_render_for_a_camera_nearly_in_the_plane_of_its_picture() {
     test_law(60, |random| {
@@ -177,7 +178,7 @@ fn fast_draws_the_bytes_of_render_if_every_sphere_occurs_twice() {
         let mut scene = generate_scene(&random.index(10_000).to_string());
         scene.lights.truncate(random.index(3));
         scene.objects.truncate(random.index(10));
-        // Every sphere occurs twice, in two materials. Only the first of the two may be seen.
+        // Add a copy of every sphere, in a different material. Only the original may be visible.
         let pairs = scene.objects.iter().zip(scene.objects.iter().rev());
         let copies: Vec<_> = pairs.map(|(one, other)| one.with_material(other.material)).collect();
         scene.objects.extend(copies);
@@ -185,9 +186,10 @@ fn fast_draws_the_bytes_of_render_if_every_sphere_occurs_twice() {
     });
 }
 
-// A radius below 1e-8 of the distance is lost in the rounding errors of D. Such a sphere is drawn
-// as a spot that is larger than the sphere, with hits that are too near or too far. Here, a pixel
-// is smaller than these spots, which are scattered around the surface of a larger ball.
+// If a sphere's radius is less than 1e-8 times its distance, the radius is lost in the rounding
+// errors of D. Such a sphere is drawn as a spot that is larger than the sphere, with hits that are
+// too near or too far. Here, these spots are larger than a pixel, and are scattered around the
+// surface of a larger ball.
 #[test]
 fn fast_draws_the_bytes_of_render_where_rounding_errors_are_larger_than_the_spheres() {
     test_law(16, |random| {
@@ -208,7 +210,7 @@ fn fast_draws_the_bytes_of_render_where_rounding_errors_are_larger_than_the_sphe
             let radius = distance * 10_f64.powf(random.number(-11.0, -7.0));
             spheres.insert(random.index(spheres.len() + 1), Sphere { centre, radius });
         }
-        // Half of the scenes keep the ball, which hides the sky. The others do without it.
+        // In half of the scenes, remove the ball, which hides the sky.
         if random.index(2) == 0 {
             spheres.retain(|sphere| *sphere != ball);
         }
@@ -221,8 +223,8 @@ fn fast_draws_the_bytes_of_render_where_rounding_errors_are_larger_than_the_sphe
     });
 }
 
-// Rounding to a byte hides the last digits of a colour. These scenes reveal them: one ray is
-// tangent to its sphere, or its colour is halfway between two bytes.
+// Rounding to a byte hides the last digits of a colour. These scenes reveal the digits: a ray is
+// tangent to a sphere, or sees a colour that is halfway between two bytes.
 #[test]
 fn fast_rounds_like_render() {
     test_law(400, |random| {

@@ -14,11 +14,11 @@ use glam::DMat3;
 use step01_rays::Camera;
 use support::{camera, locked_pictures};
 
-/// Declares programs as modules. A macro hides the modules from rustfmt, which would format these
-/// files with this package's settings instead of the steps'.
+/// Declares programs as modules. The macro hides the modules from rustfmt. Otherwise, rustfmt would
+/// format the programs' files with our settings instead of the steps'.
 macro_rules! programs {
     ($($name:ident: $path:literal,)*) => {
-        $(#[allow(dead_code, reason = "its main only runs in its program")] #[path = $path] mod $name;)*
+        $(#[allow(dead_code, reason = "`main` is never called here")] #[path = $path] mod $name;)*
     };
 }
 
@@ -43,22 +43,22 @@ fn starters_fast_and_own_scene_draw_the_pictures_of_their_steps() {
         ("step05_phong", own_scene::picture),
     ];
     for (name, draw) in pictures {
-        let locked = read_locked_picture(name).expect("a locked picture");
+        let locked = read_locked_picture(name).expect("the locked picture can be read");
         assert_eq!(describe_difference(&locked, &draw(&camera(), 1)), None, "{name}");
     }
 }
 
 /// Replaces each number in the camera's matrix with its `neighbour`, the next or the previous f64.
-/// Integers are left alone: however the formulas are written, they give these exactly.
+/// Integers stay as they are: the formulas give them exactly, no matter how the terms are ordered.
 fn perturb_camera(camera: &Camera, neighbour: fn(f64) -> f64) -> Camera {
     let perturb = |x: f64| if x.fract() == 0.0 { x } else { neighbour(x) };
     let matrix = camera.matrix.to_cols_array().map(perturb);
     Camera { matrix: DMat3::from_cols_array(&matrix), ..*camera }
 }
 
-/// On another platform, the tangent may differ in its last bit. So may a number in the matrix, if a
-/// reader writes the terms of its formula in a different order. `speckled` is skipped: it shows
-/// rounding errors, and its camera doesn't compute a tangent.
+/// On a different platform, the tangent may differ in its last bit. A number in the matrix may
+/// differ, too, if a reader writes the terms of its formula in a different order. `speckled` is
+/// skipped, because it is meant to show rounding errors. Its camera doesn't compute a tangent.
 #[test]
 #[ignore = "takes a minute: cargo test -- --include-ignored"]
 fn pictures_do_not_depend_on_the_last_bit_of_the_camera() {

@@ -8,8 +8,8 @@ use support::primary_rays;
 fn spheres_of_a_named_scene_do_not_meet_and_no_ray_touches_one() {
     for name in ["ada", "bob", ""] {
         let objects = generate_scene(name).objects;
-        // A sphere rests on the ground only to within two digits, as in the course's scene, so a
-        // small overlap is allowed.
+        // Allow a small overlap: as in the course's scene, the numbers are rounded to two decimals,
+        // so a sphere that rests on the ground may overlap it a little.
         for (k, a) in objects.iter().enumerate() {
             for b in &objects[..k] {
                 let distance = a.sphere.centre.distance(b.sphere.centre);

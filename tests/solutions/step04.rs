@@ -10,8 +10,8 @@ fn gamma_is_applied_to_the_mean_of_the_samples() {
     let [picture, linear_picture] = pictures.map(|draw| draw(&camera(), 4));
     for (pixel, linear_pixel) in picture.pixels().zip(linear_picture.pixels()) {
         let mean = DVec3::from(linear_pixel.0.map(f64::from)) / 255.0;
-        // The linear mean was rounded to a byte. Near black, the gamma curve magnifies the rounding
-        // error, which is up to half a byte, about 12 times.
+        // The linear mean was rounded to an integer, with an error of up to 0.5. Near black, the
+        // gamma curve magnifies this error about 12 times.
         assert!(course::largest_channel_difference(pixel, &gamma::rgb8(mean)) <= 6);
     }
 }

@@ -38,7 +38,7 @@ fn own_scene_begins_as_the_scene_of_step_5() {
 fn glass_reflects_4_percent_head_on_and_everything_along_the_surface() {
     let reflectance = |degrees: f64| {
         let v = -DVec3::Y.rotate_z(degrees.to_radians());
-        let refracted = glass::refract(v, DVec3::Y, 1.0 / 1.5).expect("light goes in");
+        let refracted = glass::refract(v, DVec3::Y, 1.0 / 1.5).expect("the light enters the glass");
         glass::fresnel(v, refracted, DVec3::Y, 1.0 / 1.5)
     };
     assert!((reflectance(0.0) - 0.04).abs() < 1e-12);
@@ -68,8 +68,8 @@ fn refraction_obeys_snell_and_is_reversible() {
     });
 }
 
-/// A ray that enters a ball from outside is never totally reflected inside it, so the picture can't
-/// show this.
+/// The picture doesn't test total reflection, because a ray that enters a ball from outside is
+/// never totally reflected inside the ball.
 #[test]
 fn glass_mirrors_all_light_that_leaves_it_beyond_42_degrees() {
     let scene = glass::glasses(1.5);
@@ -95,8 +95,8 @@ fn glass_mirrors_all_light_that_leaves_it_beyond_42_degrees() {
     assert_eq!(seen, DVec3::new(2.0, 1.0, 0.0));
 }
 
-/// The tenth mirror image is so faint that no byte of the picture depends on what the last mirror
-/// shows.
+/// The tenth mirror image is too faint to change any byte, so the picture doesn't test what the
+/// last mirror shows.
 #[test]
 fn last_mirror_shows_its_own_colour_and_the_last_glass_is_black() {
     let scene = mirror::mirrors();
@@ -110,8 +110,8 @@ fn last_mirror_shows_its_own_colour_and_the_last_glass_is_black() {
         let Some(point) = visible_point(&scene.objects, &ray) else { continue };
         let mirror::Mirror { material, k } = point.material();
         if *k > 0.0 {
-            // With a depth of 1, a ray sees the mirror's own paint and, reflected in it, what the
-            // last mirror shows.
+            // With a depth of 1, a ray sees a mixture of the mirror's own paint and of the mirror
+            // image, which is traced with a depth of 0.
             let start = point.p + mirror::OFFSET * point.n;
             let mirrored = Ray { start, direction: reflect(point.n, -ray.direction) };
             let is_hidden = |light: &Light| {

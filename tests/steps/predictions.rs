@@ -1,5 +1,5 @@
-//! Predictions: a chapter asks what a program will draw, often after a change, and a run gives the
-//! answer. Each test quotes the book's answer, and checks it.
+//! Tests of predictions. A chapter asks the reader to predict what a program will draw, often after
+//! a change, and then gives the answer. Each test quotes that answer, and checks it.
 
 use glam::DVec3;
 use step02_sphere::{Ray, Roots};
@@ -30,8 +30,8 @@ fn nearer_centre_in_place_of_the_nearest_hit_changes_no_pixel() {
     }
 }
 
-/// "Every mirror but the ground shows it after a single bounce": "it" is the green sphere behind
-/// the eye.
+/// "Every mirror but the ground shows it after a single bounce": here, "it" is the green sphere
+/// behind the eye.
 #[test]
 fn each_ball_that_mirrors_shows_the_green_sphere() {
     let objects = course::examples::mirror::mirrors().objects;

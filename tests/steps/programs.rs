@@ -1,5 +1,5 @@
-//! Tests that the programs of the five steps draw their pictures. The options are tested only with
-//! step 1's program, since all five share its code.
+//! Tests that the programs of the five steps draw their pictures. The options are tested only in
+//! step 1's program, since all five programs share the code for them.
 
 use course::{
     Step, cargo_command, describe_difference, read_locked_picture, target_folder, workspace,
@@ -20,8 +20,8 @@ const ALLOWED: [&str; 7] = [
     "--width 20 --output -dash.png",
 ];
 
-/// Arguments with which a program draws nothing. What it prints instead is compared with a
-/// snapshot.
+/// Arguments with which a program draws nothing. A test compares what the program prints instead
+/// with a snapshot.
 const REFUSED: [&str; 18] = [
     "--help",
     "--width 0",
@@ -47,14 +47,15 @@ const REFUSED: [&str; 18] = [
 fn programs_draw_the_locked_pictures() {
     for step in Step::NAMES {
         let (folder, file) = (create_empty_folder(step), format!("{step}.png"));
-        fs::write(folder.join(&file), "old").expect("a file");
+        fs::write(folder.join(&file), "old").expect("the file can be written");
         let Output { status, stdout, stderr } = run_program(step, &folder, "");
         let text = String::from_utf8_lossy(&stdout);
         let is_line = text.starts_with(&format!("{file}: 640×360 pixels in "));
         assert!(status.success() && stderr.is_empty() && is_line && text.lines().count() == 1);
-        assert_eq!(fs::read_dir(&folder).expect("a folder").count(), 1);
-        let picture = image::open(folder.join(&file)).expect("a PNG").to_rgb8();
-        let locked = read_locked_picture(step).expect("a locked picture");
+        assert_eq!(fs::read_dir(&folder).expect("the folder can be read").count(), 1);
+        let picture =
+            image::open(folder.join(&file)).expect("the program has written a PNG file").to_rgb8();
+        let locked = read_locked_picture(step).expect("the locked picture can be read");
         assert_eq!(describe_difference(&locked, &picture), None, "{file}");
     }
 }
@@ -72,27 +73,30 @@ fn program_accepts_the_limits_of_its_options() {
 fn program_refuses_what_is_not_allowed_and_leaves_files_alone() {
     let folder = create_empty_folder("refused");
     let old_files = ["step01_rays.png", "old.jpg", "unwritable.png"].map(|file| folder.join(file));
-    old_files.iter().for_each(|file| fs::write(file, "old").expect("a file"));
-    fs::create_dir(folder.join("folder.png")).expect("a folder");
-    // A program writes a picture under this name first, so that the old picture survives if writing
-    // fails. Here, a folder is in the way.
-    fs::create_dir(folder.join("unwritable.tmp")).expect("a folder");
+    old_files.iter().for_each(|file| fs::write(file, "old").expect("the file can be written"));
+    fs::create_dir(folder.join("folder.png")).expect("the folder can be created");
+    // A program first writes its picture to a file of this name, so that the old picture survives
+    // if writing fails. Here, writing fails, because a folder has this name.
+    fs::create_dir(folder.join("unwritable.tmp")).expect("the folder can be created");
     let texts = REFUSED.map(|arguments| {
         let Output { status, stdout, stderr } = run_program("step01_rays", &folder, arguments);
-        assert!(status.success() || stdout.is_empty(), "an error is on stdout: {arguments}");
-        let text = String::from_utf8([stdout, stderr].concat()).expect("UTF-8");
+        assert!(
+            status.success() || stdout.is_empty(),
+            "a failed program printed to stdout: {arguments}"
+        );
+        let text = String::from_utf8([stdout, stderr].concat()).expect("the program prints UTF-8");
         let code = status.code().unwrap_or(-1);
         format!("$ step01_rays {}\n{text}--- exit code {code} ---\n\n", arguments.escape_debug())
     });
-    // The program's file name ends in .exe on Windows, and each system words its errors
-    // differently.
+    // Make the text the same on all systems. On Windows, the program's file name ends in .exe.
+    // Every system words its errors differently.
     let text = texts.concat().replace("step01_rays.exe", "step01_rays");
     let lines = text.lines().map(|line| match line.rsplit_once(": ") {
         Some((start, reason)) if reason.ends_with(')') => format!("{start}: REASON\n"),
         _ => format!("{line}\n"),
     });
     insta::assert_snapshot!("program_texts", lines.collect::<String>());
-    assert_eq!(fs::read_dir(&folder).expect("a folder").count(), 5);
+    assert_eq!(fs::read_dir(&folder).expect("the folder can be read").count(), 5);
     assert!(old_files.iter().all(|file| fs::read(file).is_ok_and(|bytes| bytes == b"old")));
 }
 
@@ -100,11 +104,11 @@ fn program_refuses_what_is_not_allowed_and_leaves_files_alone() {
 fn create_empty_folder(test: &str) -> PathBuf {
     let folder = target_folder().join("tests/programs").join(test);
     let _ = fs::remove_dir_all(&folder);
-    fs::create_dir_all(&folder).expect("a folder in the target folder");
+    fs::create_dir_all(&folder).expect("the folder can be created");
     folder
 }
 
-/// Runs a step's program in `folder`. Its arguments are separated by single spaces.
+/// Runs a step's program in `folder`. Single spaces separate the `arguments`.
 fn run_program(step: &str, folder: &Path, arguments: &str) -> Output {
     static BUILD: Once = Once::new();
     BUILD.call_once(build_programs);
@@ -112,12 +116,12 @@ fn run_program(step: &str, folder: &Path, arguments: &str) -> Output {
     let mut command = Command::new(executable.with_extension(env::consts::EXE_EXTENSION));
     command.args(arguments.split(' ').filter(|argument| !argument.is_empty()));
     // The help text is wrapped to this width.
-    command.current_dir(folder).env("COLUMNS", "100").output().expect("a program")
+    command.current_dir(folder).env("COLUMNS", "100").output().expect("the program can be run")
 }
 
 /// Builds the programs, because `cargo test` doesn't build binaries from other packages.
 ///
-/// `--workspace` builds them with the same features as everything else.
+/// With `--workspace`, Cargo builds their dependencies with the same features as everywhere else.
 fn build_programs() {
     let mut cargo = cargo_command();
     cargo.args(["build", "--quiet", "--workspace", "--target-dir"]).arg(target_folder());

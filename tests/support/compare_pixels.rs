@@ -11,17 +11,18 @@ use std::fs;
 use std::path::PathBuf;
 
 /// Compares `picture` with the locked picture `name`, pixel by pixel. `assert` receives a PNG file
-/// and hands it to insta. If all pixels are equal, it receives the locked file itself rather than a
-/// new encoding, because a different version of the encoder may produce different bytes.
+/// and hands it to insta. If all pixels are equal, the PNG file is the locked file itself, because
+/// a different version of the encoder might write different bytes for the same pixels.
 ///
-/// If any pixels differ, first prints a sentence about them and the command that accepts the new
-/// picture, and saves both pictures and their difference in the target folder.
+/// If any pixels differ, first prints a sentence that describes the difference, and the command
+/// that accepts the new picture. Also saves a comparison of both pictures in the target folder.
 pub fn compare_pixels(name: &str, picture: &RgbImage, assert: impl FnOnce(Vec<u8>)) {
     let mut settings = Settings::clone_current();
     settings.set_prepend_module_to_snapshot(false);
     settings.set_omit_expression(true);
-    // The path of the saved comparison in the default target folder. A custom target folder is
-    // ignored: the description is part of the snapshot, which has to be the same on every machine.
+    // This is where the comparison is saved if the target folder is the default one. We don't
+    // mention a custom target folder: the description is part of the snapshot, which has to be the
+    // same on every machine.
     settings.set_description(format!("target/differences/{name}.png"));
     let mismatch = describe_and_save_mismatch(name, picture);
     match &mismatch {
@@ -34,31 +35,36 @@ pub fn compare_pixels(name: &str, picture: &RgbImage, assert: impl FnOnce(Vec<u8
     let update = snapshot_update();
     if update == SnapshotUpdate::No {
         // Don't ask insta: it would delete a picture that is still waiting for review.
-        return assert!(mismatch.is_none(), "{name} is not the locked picture");
+        return assert!(mismatch.is_none(), "{name} differs from the locked picture");
     }
     let locked_png = fs::read(locked_picture_path(name)).ok();
     let png = locked_png.filter(|_| mismatch.is_none()).unwrap_or_else(|| encode_png(picture));
     settings.bind(|| assert(png));
     if update == SnapshotUpdate::InPlace {
-        // insta has accepted the picture, but deletes only one of the two files that a failed test
-        // leaves for review.
+        // A failed test leaves two files for review. When insta accepts the picture, it deletes
+        // only one of them.
         let _ = fs::remove_file(locked_picture_path(name).with_extension("new"));
     }
 }
 
-/// Describes how a picture differs from the locked one, and saves panels that show the difference.
-/// If there is no locked picture, says so. Returns None if the two pictures are equal.
+/// Describes how a picture differs from the locked picture, and saves panels that show the
+/// difference. If there is no locked picture, says so. Returns None if the two pictures are equal.
 fn describe_and_save_mismatch(name: &str, picture: &RgbImage) -> Option<String> {
     let path = locked_picture_path(name);
     let has_text = path.with_extension("").exists();
     let Some(locked) = read_locked_picture(name).ok().filter(|_| has_text) else {
-        return Some(format!("no picture {}, with its .snap beside it.", path.display()));
+        return Some(format!(
+            "there is no picture {} with its .snap file beside it.",
+            path.display()
+        ));
     };
     let difference = describe_difference(&locked, picture)?;
     let path = panels_path(name);
     let _ = fs::create_dir_all(path.with_file_name(""));
     let caption = match draw_with_difference(picture, &locked).save(&path) {
-        Ok(()) => "New, locked and difference (orange where the new one is brighter):",
+        Ok(()) => {
+            "New picture, locked picture and difference (orange where the new picture is brighter):"
+        }
         Err(_) => "The difference can't be written to",
     };
     Some(format!("{difference}.\n{caption} {}", path.display()))

@@ -17,11 +17,11 @@ pub fn locked_pictures() -> Vec<LockedPicture> {
     course::PICTURES.iter().map(with_camera).chain(chapter_pictures()).collect()
 }
 
-/// Lists pictures, and defines the macro `with_chapter_picture_names`, which passes their names to
-/// another macro: only a macro can declare a test function for each picture.
+/// Lists the chapters' pictures, and defines the macro `with_chapter_picture_names`, which passes
+/// the pictures' names to another macro. Only a macro can declare a test function for each name.
 macro_rules! chapter_pictures {
     ($dollar:tt $($name:ident: $camera:expr, $draw:expr;)*) => {
-        /// The pictures in chapters that belong to no step or exercise, and the cover.
+        /// The cover, and the chapters' pictures that belong to no step or exercise.
         fn chapter_pictures() -> Vec<LockedPicture> {
             vec![$((stringify!($name), $camera, $draw)),*]
         }
@@ -54,8 +54,8 @@ chapter_pictures! {
     goodbye: camera_with_size(1280, 720), |camera, _| mirror::picture(camera, 2);
 }
 
-/// The course's camera with the matrix from the slide "A Basic 3D Camera Matrix", exactly as
-/// written there.
+/// The course's camera, but with the matrix exactly as it is on the slide "A Basic 3D Camera
+/// Matrix".
 fn slide_camera() -> Camera {
     let mut camera = camera();
     let tan = -camera.matrix.z_axis.x;
@@ -65,23 +65,24 @@ fn slide_camera() -> Camera {
     camera
 }
 
-/// A close-up camera on four tiles of the checkerboard.
+/// A camera for a close-up of four tiles of the checkerboard.
 fn checkerboard_detail_camera() -> Camera {
     crop_camera(camera(), [366.0, 264.0], [40, 30])
 }
 
-/// A close-up camera on the place where highlights appear without the test of n·l (the gate).
+/// A camera for a close-up of the place where a highlight appears without the test of n·l (the
+/// gate).
 fn gate_detail_camera() -> Camera {
     crop_camera(camera(), [585.0, 150.0], [40, 30])
 }
 
-/// A close-up camera on the white sphere.
+/// A camera for a close-up of the white sphere.
 fn white_sphere_detail_camera() -> Camera {
     crop_camera(camera_with_size(2560, 1440), [213.0, 926.0], [640, 360])
 }
 
-/// The course's camera, with the tangent written as a literal. `tan` may round differently on
-/// another machine, and the picture drawn with this camera shows rounding errors.
+/// The course's camera, with the tangent as a literal. A picture drawn with this camera shows
+/// rounding errors, and a computed tangent might be rounded differently on another machine.
 fn camera_with_literal_tan() -> Camera {
     const TAN_30: f64 = 0.577_350_269_189_625_7;
     let d = 2.0 * TAN_30 / 639.0;
@@ -93,21 +94,21 @@ fn camera_with_literal_tan() -> Camera {
     Camera { matrix, ..camera() }
 }
 
-/// Draws the mirror scene with shadows but without reflections. The rays to the lights start
-/// `offset` above a surface.
+/// Draws the mirror scene with shadows but without reflections. The rays to the lights start at the
+/// distance `shadow_offset` above a surface.
 fn draw_mirrors_without_reflections(camera: &Camera, shadow_offset: f64) -> RgbImage {
     let scene = mirror::mirrors();
     render(camera, 1, |ray| mirror::colour(&scene, ray, 0, shadow_offset))
 }
 
-/// Crops a camera to a rectangle of its picture, given by the first column and row, and by the
-/// number of columns and rows.
+/// Crops a camera to a rectangle of its picture. `corner` is the rectangle's first column and row.
+/// `h_res` and `v_res` are its numbers of columns and rows.
 fn crop_camera(camera: Camera, corner: [f64; 2], [h_res, v_res]: [u32; 2]) -> Camera {
     let crop = DMat3::from_translation(corner.into());
     Camera { h_res, v_res, matrix: camera.matrix * crop, ..camera }
 }
 
-/// Enlarges a picture, so that each pixel becomes a square of 16×16.
+/// Enlarges a picture, so that each pixel becomes a square of 16×16 pixels.
 fn enlarge(picture: RgbImage) -> RgbImage {
     resize(&picture, 16 * picture.width(), 16 * picture.height(), FilterType::Nearest)
 }

@@ -19,11 +19,12 @@ fn book_is_built() {
 
 /// Returns the built book, exactly as a reader gets it.
 pub fn built_book() -> &'static Site {
-    BOOK.as_ref().unwrap_or_else(|_| panic!("see the test book_is_built"))
+    BOOK.as_ref()
+        .unwrap_or_else(|_| panic!("the book is not built: the test book_is_built says why"))
 }
 
-/// Builds the book. Under nextest, each test runs in its own process, so the first one builds the
-/// book and the others read it.
+/// Builds the book. Under nextest, each test runs in its own process, so the first test builds the
+/// book and the others read what it has built.
 fn build_or_read_book() -> Result<Site> {
     let folder = target_folder().join("tests/book");
     let Some(run) = nextest_run_id() else {

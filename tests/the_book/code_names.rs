@@ -1,18 +1,18 @@
-//! Tests that code names in a chapter's text exist in the code, so that no rename leaves one
-//! behind.
+//! Tests that every code name in a chapter's text is also in the code, so that a rename can't leave
+//! the old name behind in the text.
 
 use super::assert_no_faults;
 use super::built_book::read_folder;
 use super::source_listings::SOURCE_FILES;
 use std::collections::HashSet;
 
-/// Names that chapters use although they aren't in the steps' files. They come from Rust, insta,
-/// OpenGL or a workflow.
+/// Names in the chapters that aren't in the steps' files. They come from Rust, insta, OpenGL or a
+/// workflow.
 const FOREIGN_NAMES: [&str; 7] =
     ["break", "f32", "ceil", "INSTA_UPDATE", "unseen", "gluPerspective", "LATE"];
 
-/// Splits a text into words. Each comes between all of the text before it and all of the text after
-/// it.
+/// Splits a text into words. An item consists of the text before a word, the word, and the text
+/// after it.
 fn words_with_surroundings(text: &str) -> impl Iterator<Item = (&str, &str, &str)> {
     let is_part = |c: char| c.is_alphanumeric() || c == '_';
     let words = text.split(move |c| !is_part(c)).filter(|word| !word.is_empty());
@@ -22,8 +22,8 @@ fn words_with_surroundings(text: &str) -> impl Iterator<Item = (&str, &str, &str
     })
 }
 
-/// Whether a word in a code span has to be a name: it is the whole span, `snake_case`, `CamelCase`,
-/// called as a function, or part of a path.
+/// Whether a word in a code span has to be a name. This is so if the word is the whole span, in
+/// `snake_case` or `CamelCase`, called as a function, or part of a path.
 fn must_be_name(before: &str, word: &str, after: &str) -> bool {
     let mut pairs = word.chars().zip(word.chars().skip(1));
     word.starts_with(|c: char| c.is_alphabetic())
@@ -35,7 +35,7 @@ fn must_be_name(before: &str, word: &str, after: &str) -> bool {
             || after.starts_with('('))
 }
 
-/// The files that a reader types, as pairs of a path and the code without its comments.
+/// Returns the path of each file that a reader types, and the file's code without comments.
 fn reader_code_without_comments() -> Vec<(&'static str, String)> {
     let files = SOURCE_FILES.texts_with_suffix("").map(|(path, text)| {
         let lines = text.lines().map(|line| match line.split_once("//") {
@@ -52,7 +52,7 @@ struct SourceNames<'a> {
     files: &'a [(&'static str, String)],
     /// All words in the code and in the paths.
     words: HashSet<&'a str>,
-    /// The names that are directly followed by `(` or `<`, such as functions.
+    /// The words that are directly followed by `(` or `<`, such as names of functions.
     called: HashSet<&'a str>,
 }
 
@@ -72,7 +72,7 @@ impl<'a> SourceNames<'a> {
         }
     }
 
-    /// Whether `owner::name` occurs in the code, or `name` occurs in a file that declares `owner`.
+    /// Whether the code contains `owner::name`, or a file that declares `owner` contains `name`.
     fn has_path(&self, owner: &str, name: &str) -> bool {
         self.files.iter().any(|(_, code)| {
             let declares_owner = words_with_surroundings(code).any(|(before, word, _)| {
@@ -96,16 +96,16 @@ fn faults_in_code(code: &str, source: &SourceNames) -> Vec<String> {
         words_with_surroundings(code).filter(|(b, word, a)| must_be_name(b, word, a))
     {
         if !source.words.contains(word) {
-            faults.push(format!("no code has `{word}`"));
+            faults.push(format!("`{word}` is not in the code"));
         } else if after.starts_with('(') && !source.called.contains(word) {
-            faults.push(format!("no code calls or defines `{word}`"));
+            faults.push(format!("`{word}` is not called or defined in the code"));
         }
         let owner =
             before.strip_suffix("::").and_then(|before| words_with_surroundings(before).last());
         if let Some((_, owner, _)) = owner
             && !source.has_path(owner, word)
         {
-            faults.push(format!("no code has `{owner}::{word}`"));
+            faults.push(format!("`{owner}::{word}` is not in the code"));
         }
     }
     if code.ends_with(".rs") && !code.contains(' ') && !source.has_file(code) {

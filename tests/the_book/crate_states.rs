@@ -1,5 +1,5 @@
-//! Tests that a reader who stops at a heading or a command has crates that compile. A crate's
-//! *state* is the part that the reader has typed so far.
+//! Tests that the reader's crates compile at each heading and at each command, where a reader may
+//! stop. The *state* of a crate is the part of it that the reader has typed so far.
 
 use super::built_book::built_book;
 use super::page_items::{PageItem, TypedFiles, page_items};

@@ -1,16 +1,17 @@
 //! Tests that each exercise has a section and a form on a practice page, and a solution on the
-//! solutions page, all named after its picture.
+//! solutions page. All of them are named after the exercise's picture.
 
 use super::assert_no_faults;
 use super::built_book::built_book;
 use builder::Page;
 use std::collections::BTreeMap;
 
-/// Solutions without an exercise on a practice page: `fast` has its own page, "Faster".
+/// Solutions to exercises that aren't on a practice page. The exercise `fast` has its own page,
+/// "Faster".
 const WITHOUT_PRACTICE: [&str; 1] = ["fast"];
 
-/// Maps the name of each exercise's section on a page to the names of the pictures that the forms in
-/// that section check.
+/// Finds the exercises' sections on a page. Returns a map from each section's name to the names of
+/// the pictures that its forms check.
 fn checked_pictures_by_section(page: &Page) -> BTreeMap<&str, Vec<&str>> {
     let (mut sections, mut section) = (BTreeMap::new(), None);
     for element in &page.elements {

@@ -1,6 +1,7 @@
-//! Tests the workflow for a class that starts from `book/reader`: it passes if a student's program
-//! draws the picture, and fails if the picture is only a file. The commands of its two jobs are run
-//! as GitHub runs them, each job in its own folder.
+//! Tests the workflow for a class whose students start from `book/reader`. The workflow has to pass
+//! if a student's program draws the right picture, and to fail if the picture is there but wasn't
+//! drawn by the program. The tests run the commands of the workflow's two jobs as GitHub does, each
+//! job in its own folder.
 
 use super::built_book::built_book;
 use super::page_items::typed_files;
@@ -16,17 +17,18 @@ const WORKFLOW: &str = include_str!("../../book/reader/.github/workflows/classro
 /// A command in a job.
 struct JobCommand {
     lines: String,
-    /// Whether the command runs only if an earlier one has failed.
+    /// Whether the command runs only if an earlier command has failed.
     is_for_failure: bool,
 }
 
 /// The part of the workflow's text that defines a job.
 fn job_text(job: &str) -> &'static str {
-    let (_, text) = WORKFLOW.split_once(&format!("\n  {job}:\n")).expect("the job");
+    let (_, text) =
+        WORKFLOW.split_once(&format!("\n  {job}:\n")).expect("the workflow has this job");
     text.split_once("\n\n").map_or(text, |(text, _)| text)
 }
 
-/// The commands of a job in order, except for the one that updates Rust.
+/// The commands of a job, in order. Leaves out the command that updates Rust.
 fn job_commands_without_rustup(job: &str) -> Vec<JobCommand> {
     let steps = job_text(job).split("\n      - ").skip(1);
     let command = |step: &str| {
@@ -42,8 +44,8 @@ fn job_commands_without_rustup(job: &str) -> Vec<JobCommand> {
     commands.filter(|command| !command.lines.starts_with("rustup")).collect()
 }
 
-/// Runs a bash command in `folder`, with these environment variables. Returns what it prints, or an
-/// error if it fails.
+/// Runs a bash command in `folder`, with these environment variables. Returns what the command
+/// prints, or an error if the command fails.
 fn run_bash(folder: &Path, command: &str, variables: &[(&str, &str)]) -> Result<String> {
     let manifest = format!("--manifest-path '{}'/", workspace().display());
     let lines = command.replace("--manifest-path course/", &manifest);
@@ -73,7 +75,7 @@ fn create_repository(folder: &Path) -> Result<()> {
     fs::create_dir_all(folder)?;
     let course = workspace();
     let copy = "cp -R \"$COURSE\"/book/reader/. \"$COURSE\"/Cargo.lock .";
-    run_bash(folder, copy, &[("COURSE", course.to_str().expect("UTF-8"))])?;
+    run_bash(folder, copy, &[("COURSE", course.to_str().expect("the path is UTF-8"))])?;
     run_bash(folder, &format!("git init --quiet && {COMMIT}"), &[])?;
     Ok(())
 }
@@ -87,31 +89,36 @@ fn type_first_step(folder: &Path) -> Result<()> {
     Ok(())
 }
 
-/// Runs both jobs on a clone of the last commit, with these pictures required. Returns what the
-/// jobs print, or an error if the workflow fails.
+/// Runs both jobs on a clone of the last commit. `required` lists the pictures that the class
+/// requires. Returns what the jobs print, or an error if the workflow fails.
 fn run_workflow(folder: &Path, required: &str) -> Result<String> {
     let jobs = folder.with_file_name("jobs");
     let _ = fs::remove_dir_all(&jobs);
     let (draw, grade) = (jobs.join("draw"), jobs.join("grade"));
-    fs::create_dir_all(draw.join("course")).expect("a folder");
-    fs::create_dir_all(grade.join("class/drawn")).expect("a folder");
-    run_bash(&draw, "git clone --quiet ../../ada student", &[]).expect("a clone");
-    // A copy, because students' programs may write into it.
+    fs::create_dir_all(draw.join("course")).expect("the folder can be created");
+    fs::create_dir_all(grade.join("class/drawn")).expect("the folder can be created");
+    run_bash(&draw, "git clone --quiet ../../ada student", &[])
+        .expect("the repository can be cloned");
+    // Copy the steps, because students' programs may write into that folder.
     let course = workspace();
     let copy = "cp -R \"$COURSE\"/steps course";
-    run_bash(&draw, copy, &[("COURSE", course.to_str().expect("UTF-8"))]).expect("a copy");
+    run_bash(&draw, copy, &[("COURSE", course.to_str().expect("the path is UTF-8"))])
+        .expect("the steps can be copied");
     let mut text = String::new();
     let mut steps = String::new();
     for command in job_commands_without_rustup("draw") {
         text += &run_bash(&draw, &command.lines, &[("STEPS", &steps)])
             .expect("the job \"draw\" succeeds");
-        let output = fs::read_to_string(draw.join("output.txt")).expect("the output of a job");
-        steps = output.trim().strip_prefix("steps=").expect("the steps").to_owned();
+        let output =
+            fs::read_to_string(draw.join("output.txt")).expect("the job writes its output");
+        steps =
+            output.trim().strip_prefix("steps=").expect("the output lists the steps").to_owned();
     }
-    for picture in fs::read_dir(draw.join("drawn")).expect("a folder").flatten() {
+    for picture in fs::read_dir(draw.join("drawn")).expect("the folder can be read").flatten() {
         let name = picture.file_name();
         if name.to_string_lossy().starts_with("step0") {
-            fs::copy(picture.path(), grade.join("class/drawn").join(name)).expect("a picture");
+            fs::copy(picture.path(), grade.join("class/drawn").join(name))
+                .expect("the picture can be copied");
         }
     }
     let mut result = Ok(());
@@ -133,7 +140,7 @@ fn test_renamed_folder(folder: &Path) -> Result<()> {
     let renamed = folder.with_file_name("renamed");
     fs::rename(folder, &renamed)?;
     run_bash(&renamed, "cargo test -p locked", &[])?;
-    ensure!(!folder.exists(), "testing the renamed folder creates the old one again");
+    ensure!(!folder.exists(), "testing the renamed folder has created the old folder again");
     Ok(fs::rename(renamed, folder)?)
 }
 
@@ -141,7 +148,7 @@ fn test_renamed_folder(folder: &Path) -> Result<()> {
 fn grading_has_nothing_of_the_student_but_pictures() {
     let grade = job_text("grade");
     for word in ["path: student", "cache@", "github.event", "by_hand"] {
-        assert!(!grade.contains(word), "{word}");
+        assert!(!grade.contains(word), "the job \"grade\" contains {word}");
     }
     assert!(grade.contains("pattern: pictures"));
     assert_eq!(job_commands_without_rustup("draw").len(), 3);
@@ -167,10 +174,15 @@ fn workflow_passes_only_if_a_program_draws_the_picture() -> Result<()> {
     assert!(run_workflow(&folder, "")?.contains("Nothing is required"));
     assert!(run_workflow(&folder, "step01_rays, step02_sphere").is_err());
     run_bash(&class.join("jobs/draw/student"), "cargo test -p locked", &[])?;
-    // In one of these attacks, the program draws a wrong picture, and overwrites the locked one in
-    // the course's folder with it. In the others, no program draws the right picture, but it is
-    // there all the same: committed, copied by a Cargo setting, put into a folder with the same
-    // name as the one that the workflow draws in, or left beside code that doesn't compile.
+    // In all of these attacks, the right picture is committed, but no program draws it:
+    //
+    // - The program does nothing.
+    // - A Cargo setting copies the committed picture.
+    // - The picture is committed in a folder with the same name as the folder in which the workflow
+    //   draws.
+    // - The program draws a wrong picture, and overwrites the locked picture with it in the
+    //   course's folder.
+    // - The code doesn't compile.
     fs::copy(locked_picture_path("step01_rays"), folder.join("step01_rays.png"))?;
     fs::copy(locked_picture_path("step02_sphere"), folder.join("wrong.png"))?;
     let attacks = [

@@ -1,5 +1,5 @@
-//! Tests that the Rust program that a page writes for the reader's own scene draws the same picture
-//! as the page.
+//! Tests the Rust program that the page "A scene of your own" writes for a reader's scene: it has
+//! to draw the same picture as the page.
 
 use super::built_book::read_folder;
 use super::reader_workspace::ReaderWorkspace;
@@ -18,44 +18,45 @@ const ADDRESSES: [&str; 5] = [
 ];
 
 fn find_scene() -> (&'static Figure, &'static EditableScene) {
-    let figure = find_figure("own_scene").expect("a figure");
-    (figure, figure.editable_scene.as_ref().expect("a scene"))
+    let figure = find_figure("own_scene").expect("the figure exists");
+    (figure, figure.editable_scene.as_ref().expect("its scene is editable"))
 }
 
-/// At first, the page shows the example's file. Once a reader changes the scene, it shows the
-/// program written for that scene, so the two have to agree before any change.
+/// At first, the page shows the file of the example. Once a reader changes the scene, the page
+/// shows the program that it writes for that scene. So for the unchanged scene, file and program
+/// have to be the same.
 #[test]
 fn program_of_the_unchanged_scene_is_the_example() {
     let (figure, scene) = find_scene();
     let program = (scene.program)(&figure.default_values());
     let examples = read_folder("steps/step05_phong/examples");
-    let example = examples.text("own_scene.rs").expect("the example");
+    let example = examples.text("own_scene.rs").expect("the example exists");
     let different = program.lines().zip(example.lines()).find(|(line, other)| line != other);
-    assert_eq!(different, None, "a line of the program, and the line in examples/own_scene.rs");
+    assert_eq!(different, None, "a line of the program differs from that in examples/own_scene.rs");
 }
 
 #[test]
 #[ignore = "takes a minute: cargo test -- --include-ignored"]
 fn program_of_a_scene_draws_its_picture() {
     let ((figure, scene), reader) = (find_scene(), ReaderWorkspace::with_typed_book());
-    let Content::Picture { draw } = figure.content else { panic!("a drawing") };
+    let Content::Picture { draw } = figure.content else { panic!("the figure is not a picture") };
     for address in ADDRESSES {
-        let values = parse_address(figure, address).expect("a scene");
+        let values = parse_address(figure, address).expect("the address is valid");
         assert_program_draws(&reader, &(scene.program)(&values), &draw(&values, COLUMNS));
     }
 }
 
-/// Saves a program, and runs it with the command in the program's second line. The command ends
-/// with the program's name.
+/// Saves a program, runs it with the command in the program's second line, and asserts that it
+/// draws `picture`. The command ends with the program's name.
 fn assert_program_draws(reader: &ReaderWorkspace, program: &str, picture: &RgbImage) {
-    let second_line = program.lines().nth(1).expect("a second line");
-    let command = second_line.split('`').nth(1).expect("a command");
-    let (_, example) = command.rsplit_once(' ').expect("a name");
+    let second_line = program.lines().nth(1).expect("the program has a second line");
+    let command = second_line.split('`').nth(1).expect("the line contains a command");
+    let (_, example) = command.rsplit_once(' ').expect("the command ends with a name");
     let path = format!("steps/step05_phong/examples/{example}.rs");
-    reader.write_if_changed(&path, program).expect("a file can be written");
-    let (code, text) = reader.run(&["bash", "-c", command], "1").expect("a shell");
+    reader.write_if_changed(&path, program).expect("the file can be written");
+    let (code, text) = reader.run(&["bash", "-c", command], "1").expect("bash can be run");
     assert!(code == Some(0) && !text.contains("warning"), "{text} in {program}");
-    let program_picture =
-        image::open(reader.folder.join(format!("{example}.png"))).expect("its picture");
+    let program_picture = image::open(reader.folder.join(format!("{example}.png")))
+        .expect("the program has drawn a picture");
     assert_eq!(describe_difference(picture, &program_picture.to_rgb8()), None, "{program}");
 }

@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 /// The text of each file typed so far, keyed by path.
 pub type TypedFiles<'a> = BTreeMap<&'a str, String>;
 
-/// Joins all listings on these pages to files, as a reader does who types them.
+/// Joins all listings on these pages into files, as a reader does by typing them.
 pub fn typed_files<'a>(pages: impl IntoIterator<Item = &'a Page>) -> TypedFiles<'a> {
     let mut typed = TypedFiles::new();
     for item in pages.into_iter().flat_map(page_items) {
@@ -28,34 +28,38 @@ pub enum PageItem<'a> {
 
 /// A command on a page, with its output as the page shows it.
 pub struct PageCommand {
-    /// The page, and the nearest id at or before the command.
+    /// The page's name, and the nearest id at or before the command.
     pub location: String,
     /// The command line, for a shell.
     pub line: String,
-    /// The exit code that the page promises, or 0 if it promises none.
+    /// The exit code that the page promises, or 0 if the page doesn't mention one.
     pub exit_code: i32,
     /// The output, in which `…` stands for any text.
     pub output: String,
 }
 
-/// Returns the headings, listings and commands on a page, from top to bottom, except for commands
-/// to be run in our own folder.
+/// Returns the headings, listings and commands on a page, from top to bottom. Leaves out commands
+/// that are meant for our own folder.
 pub fn page_items(page: &Page) -> Vec<PageItem<'_>> {
     let mut items = vec![];
     for element in &page.elements {
         let console = element.attr("data-folder").and_then(ConsoleKind::from_data_folder);
         let exit_code = match console {
             Some(ConsoleKind::Ours) => continue,
-            // The exit codes of clap for invalid arguments, and of Cargo for a failing test.
+            // Invalid arguments make clap exit with 2. A failing test makes Cargo exit with 101.
             Some(ConsoleKind::Refused) => 2,
             Some(ConsoleKind::Fails) => 101,
             Some(ConsoleKind::Yours) | None => 0,
         };
-        let code =
-            || page.descendants(element).iter().find(|inner| inner.tag == "code").expect("code");
+        let code = || {
+            page.descendants(element)
+                .iter()
+                .find(|inner| inner.tag == "code")
+                .expect("the element has code")
+        };
         match (&*element.tag, element.attr("class")) {
             (_, Some("listing")) => {
-                let path = element.attr("data-path").expect("the path of a listing");
+                let path = element.attr("data-path").expect("a listing has a path");
                 let code = code();
                 // mdBook adds a final newline to code in any language except Rust.
                 let is_rust = code.attr("class").is_some_and(|class| class.contains("rust"));

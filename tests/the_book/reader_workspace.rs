@@ -19,18 +19,18 @@ pub fn pages_of_step<'a>(book: &'a Site, step: &str) -> impl Iterator<Item = &'a
 /// A workspace with only the files that the book shows.
 pub struct ReaderWorkspace {
     pub folder: PathBuf,
-    /// A lock that makes other tests wait until this one is done with the folder.
+    /// A lock that makes other tests wait until this test is done with the folder.
     _lock: File,
 }
 
 impl ReaderWorkspace {
-    /// Opens the workspace. It keeps the files from an earlier run, so that Cargo only recompiles
+    /// Opens the workspace. The files from an earlier run are still there, so Cargo only recompiles
     /// what has changed.
     pub fn open() -> Self {
         let folder = target_folder().join("typed");
-        fs::create_dir_all(&folder).expect("a folder in the target folder");
-        let lock = File::create(folder.join("lock")).expect("a file there");
-        lock.lock().expect("other tests end");
+        fs::create_dir_all(&folder).expect("the folder can be created");
+        let lock = File::create(folder.join("lock")).expect("the lock file can be created");
+        lock.lock().expect("the lock file can be locked");
         Self { folder, _lock: lock }
     }
 
@@ -59,9 +59,9 @@ impl ReaderWorkspace {
         Ok(())
     }
 
-    /// Replaces `steps/*` in the manifest with the names of the members. Cargo expands that pattern
-    /// together with the workspace's own path, so it would find no members if the path contained
-    /// square brackets.
+    /// Replaces `steps/*` in the manifest with the names of the members. Cargo takes the
+    /// workspace's path for a part of that pattern, so if the path contained square brackets, Cargo
+    /// would find no members.
     fn list_members_in_manifest(&self) -> Result<()> {
         let mut members = vec![];
         for entry in fs::read_dir(self.folder.join("steps"))? {
@@ -76,8 +76,8 @@ impl ReaderWorkspace {
         self.write_if_changed("Cargo.toml", &expanded)
     }
 
-    /// Runs a command, given as its words, with this optimisation level. Returns its exit code and
-    /// what it prints.
+    /// Runs a command, given as its words, with this optimisation level. Returns the command's exit
+    /// code and what the command prints.
     pub fn run(&self, words: &[&str], opt_level: &str) -> Result<(Option<i32>, String)> {
         self.list_members_in_manifest()?;
         let mut command = folder_command(&self.folder, words);
@@ -94,8 +94,8 @@ pub fn folder_command(folder: &Path, words: &[&str]) -> Command {
     command.args(&words[1..]).current_dir(folder);
     command.env("CARGO_NET_OFFLINE", "true").env("CARGO_TERM_QUIET", "true");
     // Share our build folder, in which the dependencies are already compiled with the same
-    // settings. The reader's five crates have the same names as ours, so the callers choose a
-    // different optimisation level for them, and neither set overwrites the other.
+    // settings. The reader's five crates have the same names as ours. So that they don't overwrite
+    // ours, callers choose a different optimisation level for them.
     command.env("CARGO_BUILD_BUILD_DIR", target_folder()).env("CARGO_INCREMENTAL", "0");
     // The book's commands set INSTA_UPDATE themselves, and INSTA_WORKSPACE_ROOT would point to our
     // folder.

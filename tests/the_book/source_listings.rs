@@ -6,8 +6,8 @@ use super::page_items::typed_files;
 use builder::Files;
 use std::sync::LazyLock;
 
-/// The files that a reader types, keyed by path: those of the five crates, with their rustfmt
-/// settings, and those in `book/reader` and `book/typed`.
+/// The files that a reader types, keyed by path. They come from the folders `steps` (the five
+/// crates and their rustfmt settings), `book/reader` and `book/typed`.
 pub static SOURCE_FILES: LazyLock<Files> = LazyLock::new(|| {
     let in_workspace = |(path, bytes)| (format!("steps/{path}"), bytes);
     let mut files = Files(read_folder("steps").0.into_iter().map(in_workspace).collect());

@@ -1,6 +1,6 @@
-//! Tests that a reader needs nothing but the book: its listings are typed from the first page to
-//! the last, and its commands do what the pages say. `source_listings` tests that every file is
-//! complete at the end.
+//! Tests that a reader needs nothing but the book. The test types the book's listings from the
+//! first page to the last, and asserts that the commands do what the pages say. `source_listings`
+//! tests that every file is complete at the end.
 
 use super::built_book::built_book;
 use super::page_items::{PageCommand, PageItem, TypedFiles, page_items};
@@ -14,7 +14,7 @@ use std::path::PathBuf;
 /// An edit that a page asks the reader to make before a command. Before the next command, the files
 /// are written again, which undoes the edit.
 struct Edit {
-    /// The end of the command.
+    /// How the line of that command ends. The line starts with the prompt `$ `.
     command_end: &'static str,
     file: &'static str,
     old: &'static str,
@@ -72,8 +72,8 @@ fn commands_do_what_their_pages_say() -> Result<()> {
     Ok(())
 }
 
-/// Whether a command runs an example that no page has listed yet, because it's the reader's own
-/// solution to an exercise.
+/// Whether a command runs an example that no page has listed yet. Such an example is the reader's
+/// own solution to an exercise.
 fn runs_unlisted_example(PageCommand { line, .. }: &PageCommand, typed: &TypedFiles) -> bool {
     line.split_once("--example ").is_some_and(|(_, words)| {
         let file = format!("/examples/{}.rs", words.split(' ').next().unwrap_or_default());
@@ -81,8 +81,9 @@ fn runs_unlisted_example(PageCommand { line, .. }: &PageCommand, typed: &TypedFi
     })
 }
 
-/// Runs a command from a page in the reader's workspace. Returns the names of the locked pictures
-/// that it drew. It's an error if the exit code, output or pictures differ from what the page says.
+/// Runs a page's command in the reader's workspace. Returns the names of the locked pictures that
+/// the command drew, or an error if the exit code, the output or a picture differs from what the
+/// page says.
 fn run_and_list_verified_pictures(
     reader: &ReaderWorkspace,
     command: &PageCommand,
@@ -93,7 +94,7 @@ fn run_and_list_verified_pictures(
     for Edit { command_end, file, old, new } in EDITS {
         if format!("$ {}", command.line).ends_with(command_end) {
             let text = fs::read_to_string(reader.folder.join(file))?;
-            ensure!(text.contains(old), "{file} has no {old} to change");
+            ensure!(text.contains(old), "{file} does not contain `{old}`");
             reader.write_if_changed(file, &text.replace(old, new))?;
         }
     }
@@ -113,7 +114,7 @@ fn run_and_list_verified_pictures(
             let picture = image::open(path)?.to_rgb8();
             let locked = read_locked_picture(&name).map_err(Error::msg)?;
             let difference = describe_difference(&locked, &picture);
-            ensure!(difference.is_none(), "{location} draws another {name}: {difference:?}");
+            ensure!(difference.is_none(), "{location} draws a wrong {name}: {difference:?}");
             names.push(name);
         }
     }
