@@ -8,7 +8,7 @@ use std::fs::{self, File};
 use std::sync::LazyLock;
 
 /// The book, or the reason why it can't be built.
-static BOOK: LazyLock<Result<Site>> = LazyLock::new(build_or_read_book);
+static BOOK: LazyLock<Result<Site>> = LazyLock::new(build_book_once_per_run);
 
 #[test]
 fn book_is_built() {
@@ -25,7 +25,7 @@ pub fn built_book() -> &'static Site {
 
 /// Builds the book. Under nextest, each test runs in its own process, so the first test builds the
 /// book and the others read what it has built.
-fn build_or_read_book() -> Result<Site> {
+fn build_book_once_per_run() -> Result<Site> {
     let folder = target_folder().join("tests/book");
     let Some(run) = nextest_run_id() else {
         return builder::build(&workspace(), &folder);

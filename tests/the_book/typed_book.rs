@@ -107,8 +107,8 @@ fn run_and_list_verified_pictures(
     let missing = expected_parts.find(|part| !text.contains(part));
     ensure!(missing.is_none(), "{location} does not print {missing:?}, but {text}");
     let mut names = vec![];
-    let has_another_size = command.line.contains("--width") && !command.line.contains("--output");
-    for path in picture_paths(reader)?.into_iter().filter(|_| !has_another_size) {
+    let has_custom_size = command.line.contains("--width") && !command.line.contains("--output");
+    for path in picture_paths(reader)?.into_iter().filter(|_| !has_custom_size) {
         let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
         if locked_picture_path(&name).is_file() {
             let picture = image::open(path)?.to_rgb8();

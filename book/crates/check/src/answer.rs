@@ -21,7 +21,7 @@ pub enum Verdict {
 
 impl Verdict {
     /// The verdict in a word or two, for tables and JSON.
-    pub fn words(self) -> &'static str {
+    pub fn label(self) -> &'static str {
         match self {
             Self::Right => "right",
             Self::OtherOptions => "other options",
@@ -190,7 +190,7 @@ impl Answer {
     /// Formats the answer as JSON, leaving out notes and causes if there are none.
     pub fn to_json(&self) -> String {
         let quote_all = |texts: &[String]| json::list(texts.iter().map(|text| json::quote(text)));
-        let mut fields = vec![("verdict", json::quote(self.verdict.words()))];
+        let mut fields = vec![("verdict", json::quote(self.verdict.label()))];
         if !self.file_notes.is_empty() {
             fields.push(("notes", quote_all(&self.file_notes)));
         }

@@ -78,7 +78,7 @@ fn compare(yours: ReaderPicture, target: Target) -> Answer {
     let ours = target.picture;
     let is_compared = verdict == Verdict::NotRight && yours.rgb.dimensions() == ours.dimensions();
     let (verdict, headline, details) = if yours.is_transparent && verdict != Verdict::NotRight {
-        let without_alpha = format!("Without alpha, the verdict would be \"{}\".", verdict.words());
+        let without_alpha = format!("Without alpha, the verdict would be \"{}\".", verdict.label());
         (Verdict::NotRight, without_alpha, [vec![headline], details].concat())
     } else {
         (verdict, headline, details)

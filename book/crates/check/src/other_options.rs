@@ -35,7 +35,7 @@ const COARSE_COLUMNS: u32 = 64;
 
 /// A border pixel counts as sky if it is as blue as the sky. Some of these pixels may belong to an
 /// object nevertheless: among this many bytes, we allow for one byte of an object.
-const BYTES_PER_OBJECT_BYTE: i32 = 20;
+const BORDER_BYTES_PER_WRONG_BYTE: i32 = 20;
 
 /// Angles with four decimals are tried only if the bounds on the angle are less than this many
 /// degrees apart.
@@ -216,7 +216,7 @@ fn find_common_bounds(intervals: &[(f64, f64)]) -> (f64, f64) {
         })
         .collect();
     let max_count = counts.iter().copied().max().unwrap_or(0);
-    let is_enough = |count: &i32| *count >= max_count - max_count / BYTES_PER_OBJECT_BYTE;
+    let is_enough = |count: &i32| *count >= max_count - max_count / BORDER_BYTES_PER_WRONG_BYTE;
     // The last count that is large enough holds until the next change, which is the end of an
     // interval.
     let first = counts.iter().position(is_enough).unwrap_or(0);

@@ -68,7 +68,7 @@ fn format_answer(result: Result<Answer, CheckError>) -> String {
     let text = answer.to_string();
     assert!(text.lines().count() <= 12, "the answer has more than 12 lines:\n{text}");
     let causes: String = answer.causes.iter().map(|cause| format!("\n[{cause}]")).collect();
-    format!("[{}]\n{text}{causes}", answer.verdict.words())
+    format!("[{}]\n{text}{causes}", answer.verdict.label())
 }
 
 /// Compares answers with the snapshot `name`. In the snapshot, each answer follows its title.

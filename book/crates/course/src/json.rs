@@ -39,7 +39,7 @@ mod tests {
     }
 
     #[test]
-    fn lists_and_objects_hold_what_is_json_already() {
+    fn items_and_values_are_written_unchanged() {
         assert_eq!(list([1.5, -2.0]), "[1.5,-2]");
         assert_eq!(list([""; 0]), "[]");
         let fields = [("a", list([1])), ("b \"c", quote("d"))];

@@ -15,9 +15,9 @@ pub(crate) enum FileVerdict {
 
 impl FileVerdict {
     /// The verdict in a word or two.
-    pub fn words(self) -> &'static str {
+    pub fn label(self) -> &'static str {
         match self {
-            Self::Compared(verdict) => verdict.words(),
+            Self::Compared(verdict) => verdict.label(),
             Self::Unreadable => "unreadable",
         }
     }
@@ -146,7 +146,7 @@ mod tests {
     #[test]
     fn file_that_cannot_be_checked_is_unreadable() {
         let feedback = judge(&Err(CheckError::UnknownName), &[]);
-        assert_eq!(feedback.verdict.words(), "unreadable");
+        assert_eq!(feedback.verdict.label(), "unreadable");
         assert!(!feedback.earns_point());
     }
 

@@ -208,7 +208,7 @@ fn rows_of_picture(picture: &PictureReport) -> Vec<PictureRow> {
     let row = |(k, file): (usize, &FileReport)| PictureRow {
         picture: name.clone(),
         point: point.filter(|_| k == 0),
-        verdict: file.feedback.verdict.words().to_owned(),
+        verdict: file.feedback.verdict.label().to_owned(),
         feedback: file.feedback.sentence.clone(),
         file: Some(file.printable_path.clone()),
         is_one_of_several: picture.files.len() > 1,
@@ -231,7 +231,7 @@ fn pictures_json(student: &StudentReport) -> String {
 fn file_json(file: &FileReport) -> String {
     let mut fields = vec![
         ("found", json::quote(&file.printable_path)),
-        ("verdict", json::quote(file.feedback.verdict.words())),
+        ("verdict", json::quote(file.feedback.verdict.label())),
         ("feedback", json::quote(&file.feedback.sentence)),
     ];
     fields.extend(file.result.iter().map(|answer| ("answer", answer.to_json())));

@@ -91,7 +91,7 @@ pub enum Component {
 
 impl Component {
     /// The components of a position.
-    pub const OF_POSITION: [Self; 3] = [Self::X, Self::Y, Self::Z];
+    pub const POSITION: [Self; 3] = [Self::X, Self::Y, Self::Z];
     /// The components of a colour.
     pub const OF_COLOUR: [Self; 3] = [Self::Red, Self::Green, Self::Blue];
 }
@@ -306,7 +306,7 @@ pub static QUANTITIES: &[Quantity] = &[
         name: "(a, b, c)",
         owner: Owner::Light,
         typed: Some(TypedRange { first_step: Step::Diffuse, range: [0, 2], steps_per_unit: 1000 }),
-        scalars: &along_axes([
+        scalars: &with_axes([
             // The minimum is above 0, so that a + bd + cd² is never 0.
             scalar(Property::Attenuation, "a", "constant fading", [0.1, 2.0], 100.0),
             scalar(Property::Attenuation, "b", "linear fading", [0.0, 1.0], 1000.0),
@@ -350,7 +350,7 @@ const fn xyz(
     ranges: [[f64; 2]; 3],
 ) -> [Scalar; 3] {
     let [x, y, z] = ranges;
-    along_axes([
+    with_axes([
         scalar(property, "x", right, x, 100.0),
         scalar(property, "y", up, y, 100.0),
         scalar(property, "z", back, z, 100.0),
@@ -380,7 +380,7 @@ const fn colour(property: Property, max: f64) -> [Scalar; 3] {
 /// The three channels of a colour, each from 0 to `max` in steps of a hundredth.
 const fn rgb(property: Property, [red, green, blue]: [&'static str; 3], max: f64) -> [Scalar; 3] {
     let range = [0.0, max];
-    along_axes([
+    with_axes([
         scalar(property, "", red, range, 100.0),
         scalar(property, "", green, range, 100.0),
         scalar(property, "", blue, range, 100.0),
@@ -388,7 +388,7 @@ const fn rgb(property: Property, [red, green, blue]: [&'static str; 3], max: f64
 }
 
 /// Assigns the three numbers of a property to its three axes.
-const fn along_axes([x, y, z]: [Scalar; 3]) -> [Scalar; 3] {
+const fn with_axes([x, y, z]: [Scalar; 3]) -> [Scalar; 3] {
     [x, Scalar { axis: 1, ..y }, Scalar { axis: 2, ..z }]
 }
 

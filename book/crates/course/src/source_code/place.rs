@@ -88,7 +88,7 @@ pub enum PlaceNote {
     /// changes only `t` is visible only in the pictures of later steps.
     OnlyMovesHit,
     /// Nothing follows the expression on its line, so a reader may add a comment.
-    EndsRow,
+    EndsLine,
     /// Nothing follows the expression on its line or in its block. So a reader may add a comment
     /// after it, and `let` statements before it.
     EndsBlock,
@@ -96,15 +96,15 @@ pub enum PlaceNote {
 
 impl PlaceNote {
     const ALL: [Self; 5] =
-        [Self::MethodFollows, Self::AfterAnd, Self::OnlyMovesHit, Self::EndsRow, Self::EndsBlock];
+        [Self::MethodFollows, Self::AfterAnd, Self::OnlyMovesHit, Self::EndsLine, Self::EndsBlock];
 
     /// The text of the note in places.txt.
-    fn words(self) -> &'static str {
+    fn text(self) -> &'static str {
         match self {
             Self::MethodFollows => "a method is called on the value",
             Self::AfterAnd => "the right operand of &&",
             Self::OnlyMovesHit => "the picture doesn't show the t of a hit",
-            Self::EndsRow => "nothing follows in its row",
+            Self::EndsLine => "nothing follows on its line",
             Self::EndsBlock => "the value of a block",
         }
     }
@@ -193,7 +193,7 @@ impl Place {
     /// Adds the variables or the note from an indented line below the place.
     fn add_line(&mut self, line: &'static str) -> Result<(), PlaceListFault> {
         if let Some(words) = line.strip_prefix("note: ") {
-            let note = PlaceNote::ALL.into_iter().find(|note| note.words() == words);
+            let note = PlaceNote::ALL.into_iter().find(|note| note.text() == words);
             self.notes.push(note.ok_or(PlaceListFault::UnknownNote(words))?);
         } else {
             let (type_name, names) = line.split_once(' ').ok_or(PlaceListFault::NoNames)?;
@@ -307,11 +307,11 @@ misses: bool = d < 0.0
             let ends_block = after.trim_start().starts_with('}') && before.ends_with(['{', ';']);
             let note = match (ends_row, ends_block) {
                 (true, true) => Some(PlaceNote::EndsBlock),
-                (true, false) => Some(PlaceNote::EndsRow),
+                (true, false) => Some(PlaceNote::EndsLine),
                 (false, _) => None,
             };
             let is_about_end =
-                |note: &PlaceNote| matches!(note, PlaceNote::EndsRow | PlaceNote::EndsBlock);
+                |note: &PlaceNote| matches!(note, PlaceNote::EndsLine | PlaceNote::EndsBlock);
             let notes_about_end = place.notes.iter().copied().filter(is_about_end);
             assert_eq!(Vec::from_iter(notes_about_end), Vec::from_iter(note), "{}", place.name);
             let imports = text.lines().filter(|line| line.starts_with("use glam::"));

@@ -52,7 +52,7 @@ fn handle(owner: Owner, k: usize, presence: ParameterId) -> Option<Handle> {
         })
     };
     let object = presence.object()?;
-    let [x, y, z] = component_ids(object, Component::OF_POSITION)?;
+    let [x, y, z] = component_ids(object, Component::POSITION)?;
     Some(Handle {
         mark: if owner == Owner::Light { Mark::Light } else { Mark::Point },
         depth: Some(z),

@@ -21,7 +21,7 @@ const MAX_LENGTH: usize = 250;
 pub fn parse_syntax(place: &Place, text: &str) -> Result<Vec<Stmt>, Refusal> {
     let has_note = |note| place.notes.contains(&note);
     let ends_block = has_note(PlaceNote::EndsBlock);
-    refuse_unreadable_text(text, ends_block || has_note(PlaceNote::EndsRow))?;
+    refuse_unreadable_text(text, ends_block || has_note(PlaceNote::EndsLine))?;
     // Free the lines parsed so far, because proc_macro2 would keep them in memory.
     proc_macro2::extra::invalidate_current_thread_spans();
     let error = match syn::parse_str(text) {
