@@ -39,7 +39,7 @@ test('a typed number that a figure cannot use is explained', async ({ page, home
   await expect(slider).toHaveValue(value);
 });
 
-test('labels of drawings do not overlap, and no handle covers one', async ({ page, home }) => {
+test('labels of drawings do not overlap at any limit, and no handle covers one', async ({ page, home }) => {
   // On a phone, labels take up more of a drawing, because they shrink less than the drawing does.
   await page.setViewportSize({ width: 390, height: 844 });
   for (const name of new Set(figures.map(([name]) => name))) {
@@ -51,7 +51,7 @@ test('labels of drawings do not overlap, and no handle covers one', async ({ pag
     const faults = await page.evaluate(async () => {
       await document.fonts.ready;
       const overlap = (one, other) => one.left < other.right && other.left < one.right && one.top < other.bottom && other.top < one.bottom;
-      return [...document.querySelectorAll('.drawing svg')].flatMap(svg => {
+      const findFaults = svg => {
         const { a: scale, e, f } = svg.getScreenCTM();
         const labels = [...svg.querySelectorAll('text')].filter(one => one.textContent).map(one => {
           const { x, width } = one.getBBox();
@@ -62,14 +62,41 @@ test('labels of drawings do not overlap, and no handle covers one', async ({ pag
         });
         const box = svg.getBoundingClientRect();
         const cut = labels.filter(one => one.left < box.left || one.top < box.top || one.right > box.right || one.bottom > box.bottom);
-        const handles = [...svg.parentElement.querySelectorAll('.handle:not([hidden])')];
-        const marks = [...handles, ...svg.parentElement.querySelectorAll('.cue')].map(one => one.getBoundingClientRect());
-        // A handle is round, so it doesn't reach into the corners of its box.
-        const isCovered = label => marks.some(({ left, right, top, bottom, width, height }) => overlap(label, width > height
-          ? { left, right, top, bottom } : { left: left + 0.1 * width, right: right - 0.1 * width, top: top + 0.1 * height, bottom: bottom - 0.1 * height }));
+        const boxes = selector => [...svg.parentElement.querySelectorAll(selector)].map(one => one.getBoundingClientRect());
+        const [handles, cues] = [boxes('.handle:not([hidden])'), boxes('.cue')];
+        // A handle is round: it covers what is closer to its centre than its radius.
+        const isBelow = ({ left, right, top, bottom }, { x, y, width }) => {
+          const [centreX, centreY] = [x + width / 2, y + width / 2];
+          const [nearX, nearY] = [Math.max(left, Math.min(centreX, right)), Math.max(top, Math.min(centreY, bottom))];
+          return Math.hypot(nearX - centreX, nearY - centreY) < width / 2;
+        };
+        const isCovered = label => handles.some(handle => isBelow(label, handle)) || cues.some(cue => overlap(label, cue));
         const over = labels.filter((one, k) => isCovered(one) || labels.slice(0, k).some(other => overlap(one, other)));
-        return [...cut, ...over].map(one => `${svg.closest('figure').id}: ${one.words}`);
-      });
+        return [...cut, ...over].map(one => one.words);
+      };
+      const faults = [];
+      for (const figure of document.querySelectorAll('.drawing[data-live]')) {
+        const note = gesture => faults.push(...findFaults(figure.querySelector('svg')).map(words => `${figure.id}, ${gesture}: ${words}`));
+        note('as printed');
+        const reset = () => figure.querySelector('.reset').click();
+        for (const handle of figure.querySelectorAll('.handle')) {
+          for (const [key, times] of [['Home', 1], ['End', 1], ['ArrowUp', 30], ['ArrowDown', 30]]) {
+            for (let k = 0; k < times; k++) handle.dispatchEvent(new KeyboardEvent('keydown', { key, shiftKey: times > 1, bubbles: true }));
+            note(`${key} on ${handle.ariaLabel}`);
+            reset();
+          }
+        }
+        for (const slider of figure.querySelectorAll('input[type=range]')) {
+          for (const end of ['min', 'max']) {
+            slider.value = slider[end];
+            slider.dispatchEvent(new InputEvent('input'));
+            await new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)));
+            note(`${end} of ${slider.closest('[data-parameter]').dataset.parameter}`);
+            reset();
+          }
+        }
+      }
+      return faults;
     });
     expect.soft(faults, name).toEqual([]);
   }

@@ -8,9 +8,12 @@ use figures::{Content, find_figure};
 
 /// Returns the HTML of the drawing called `name`, with its caption and its controls, if it has any.
 pub fn drawing_html(name: &str, values: &Values) -> ChapterResult<String> {
-    let figure = find_figure(name).ok_or_else(|| ChapterError::UnknownFigure(name.to_owned()))?;
-    let Content::Drawing { title, caption, draw } = figure.content else {
-        return Err(ChapterError::UnknownFigure(name.to_owned()));
+    let unknown = || ChapterError::UnknownFigure(name.to_owned());
+    let figure = find_figure(name).ok_or_else(unknown)?;
+    let drawing = figure.draw(&figure.default_values());
+    let (Some(drawing), Content::Drawing { title, caption, .. }) = (drawing, &figure.content)
+    else {
+        return Err(unknown());
     };
     let (live, controls) = match figure.values_from {
         Some(figure_name) => (format!(" data-companion=\"{figure_name}\""), String::new()),
@@ -20,7 +23,7 @@ pub fn drawing_html(name: &str, values: &Values) -> ChapterResult<String> {
     Ok(format!(
         "<figure class=\"drawing\" id=\"figure-{name}\"{live}>{}{controls}\
          <figcaption>{}</figcaption></figure>\n",
-        draw(&figure.default_values()).html(title),
+        drawing.html(title),
         inline_html(caption, values)?
     ))
 }

@@ -11,8 +11,8 @@ pub fn svg_files(workspace: &Path) -> Result<Vec<(String, Vec<u8>)>> {
     let read = |file| fs::read_to_string(workspace.join("book/theme/css").join(file));
     let style = standalone_style(&read("drawing.css")?, &read("variables.css")?);
     let files = FIGURES.iter().filter_map(|figure| {
-        let Content::Drawing { title, draw, .. } = figure.content else { return None };
-        let html = draw(&figure.default_values()).html(title);
+        let Content::Drawing { title, .. } = figure.content else { return None };
+        let html = figure.draw(&figure.default_values())?.html(title);
         // Leave room on both sides, because a program without our fonts may use wider letters.
         let svg = html
             .replacen("\"0 0 480", "\"-24 0 528", 1)

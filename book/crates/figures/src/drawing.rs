@@ -6,6 +6,7 @@ use crate::{Shading, View};
 use course::escape_html;
 use glam::{DVec2, dvec2};
 use std::collections::BTreeMap;
+use std::mem;
 
 /// The width of every drawing.
 pub const WIDTH: f64 = 480.0;
@@ -22,6 +23,8 @@ pub struct Drawing {
     gradients: BTreeMap<&'static str, String>,
     shapes: String,
     labels: Vec<Label>,
+    /// The positions of the handles that lie on top of the drawing.
+    handles: Vec<DVec2>,
 }
 
 /// A text in a drawing.
@@ -35,7 +38,13 @@ struct Label {
 impl Drawing {
     /// An empty drawing, as wide as the column of text.
     pub fn new(height: f64) -> Self {
-        Self { height, gradients: BTreeMap::new(), shapes: String::new(), labels: vec![] }
+        Self {
+            height,
+            gradients: BTreeMap::new(),
+            shapes: String::new(),
+            labels: vec![],
+            handles: vec![],
+        }
     }
 
     /// Draws a straight line.
@@ -112,9 +121,18 @@ impl Drawing {
         self.labels.push(Label { class: class.into(), position, text: text.into() });
     }
 
-    /// Finds the position nearest to `position` at which a label is inside the drawing and overlaps
-    /// no other label. If there is none nearby, the label is moved inside the drawing, but may
-    /// overlap another label.
+    /// Moves the labels that handles at these positions would cover to the nearest free positions.
+    pub fn keep_clear_of_handles(mut self, handles: Vec<DVec2>) -> Self {
+        self.handles = handles;
+        for Label { class, position, text } in mem::take(&mut self.labels) {
+            self.label(&class, position, &text);
+        }
+        self
+    }
+
+    /// Finds the position nearest to `position` at which a label is inside the drawing, overlaps no
+    /// other label and isn't covered by a handle. If there is none nearby, the label is only moved
+    /// inside the drawing.
     fn nearest_free(&self, class: &str, position: DVec2, text: &str) -> DVec2 {
         let box_at = |position| LabelBox::new(class, position, text);
         let inside = position + box_at(position).shift_into(dvec2(WIDTH, self.height));
@@ -122,7 +140,9 @@ impl Drawing {
         let is_free = |position: &DVec2| {
             let label_box = box_at(*position);
             let is_inside = label_box.shift_into(dvec2(WIDTH, self.height)) == DVec2::ZERO;
-            is_inside && !others.iter().any(|other| label_box.overlaps(other))
+            is_inside
+                && !others.iter().any(|other| label_box.overlaps(other))
+                && !self.handles.iter().any(|&handle| label_box.is_below_handle(handle))
         };
         let distances = (0..=15).map(|k| 4.0 * f64::from(k));
         let mut candidates =

@@ -115,6 +115,14 @@ impl Figure {
         self.parameters.iter().map(|parameter| (parameter.id, parameter.default)).collect()
     }
 
+    /// The drawing at these values, in which no handle covers a label. Returns None if the figure is
+    /// a picture.
+    pub fn draw(&self, values: &ParameterValues) -> Option<Drawing> {
+        let Content::Drawing { draw, .. } = self.content else { return None };
+        let positions = self.handles.iter().filter_map(|handle| (handle.locate)(values));
+        Some(draw(values).keep_clear_of_handles(positions.collect()))
+    }
+
     /// The handle that is a probe, if there is one.
     pub fn probe(&self) -> Option<&Handle> {
         self.handles.iter().find(|handle| handle.mark == Mark::Probe)

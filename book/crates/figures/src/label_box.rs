@@ -2,6 +2,12 @@
 
 use glam::DVec2;
 
+/// The radius of a handle on a phone, where it takes up more of the drawing than anywhere else.
+const HANDLE_RADIUS: f64 = 11.0;
+
+/// The smallest distance of a label from other labels and from the border.
+const MARGIN: f64 = 2.0;
+
 /// A rectangle that contains the text of a label.
 ///
 /// The width is an estimate from the characters, because only a browser knows the fonts. A test in
@@ -33,15 +39,21 @@ impl LabelBox {
         Self { min, max: min + DVec2::new(width, 0.98 * size) }
     }
 
-    /// The smallest shift that moves the box inside a drawing of this size.
+    /// The smallest shift that moves the box inside a drawing of this size, with a margin, because
+    /// the letters may be wider than estimated.
     pub fn shift_into(&self, drawing_size: DVec2) -> DVec2 {
-        (-self.min).max(DVec2::ZERO) - (self.max - drawing_size).max(DVec2::ZERO)
+        let max = drawing_size - MARGIN;
+        (MARGIN - self.min).max(DVec2::ZERO) - (self.max - max).max(DVec2::ZERO)
     }
 
     /// Whether the two boxes intersect, or the gap between them is smaller than a margin.
     pub fn overlaps(&self, other: &Self) -> bool {
-        let margin = 2.0;
-        self.min.cmplt(other.max + margin).all() && other.min.cmplt(self.max + margin).all()
+        self.min.cmplt(other.max + MARGIN).all() && other.min.cmplt(self.max + MARGIN).all()
+    }
+
+    /// Whether a handle at this position would cover a part of the box.
+    pub fn is_below_handle(&self, position: DVec2) -> bool {
+        position.distance(position.clamp(self.min, self.max)) < HANDLE_RADIUS
     }
 }
 
@@ -97,9 +109,18 @@ mod tests {
     }
 
     #[test]
+    fn handle_is_round() {
+        let label_box = LabelBox { min: DVec2::ZERO, max: DVec2::splat(30.0) };
+        let positions = [15.0, 40.0, 42.0].map(|x| DVec2::new(x, 15.0));
+        let is_below = |position| label_box.is_below_handle(position);
+        assert_eq!(positions.map(is_below), [true, true, false]);
+        assert!(is_below(DVec2::splat(37.0)) && !is_below(DVec2::splat(38.0)));
+    }
+
+    #[test]
     fn box_is_shifted_only_as_far_as_needed() {
         let label_box = LabelBox { min: DVec2::new(-3.0, 5.0), max: DVec2::new(20.0, 104.0) };
-        assert_eq!(label_box.shift_into(DVec2::splat(100.0)), DVec2::new(3.0, -4.0));
+        assert_eq!(label_box.shift_into(DVec2::splat(100.0)), DVec2::new(5.0, -6.0));
     }
 
     #[test]

@@ -153,8 +153,9 @@ fn reply_at(figure: &Figure, values: &ParameterValues, columns: Option<u32>) -> 
     let mut pixels = vec![];
     match (&figure.content, columns) {
         (_, None) => {}
-        (Content::Drawing { draw, .. }, _) => {
-            fields.push(("drawing", json::quote(&draw(values).svg_elements())));
+        (Content::Drawing { .. }, _) => {
+            let drawing = figure.draw(values).map(|drawing| drawing.svg_elements());
+            fields.push(("drawing", quote_or_null(drawing)));
         }
         (Content::Picture { draw }, Some(columns)) => {
             let image = draw(values, columns);

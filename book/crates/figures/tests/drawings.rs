@@ -155,12 +155,15 @@ fn values_at_limits(figure: &Figure) -> Vec<ParameterValues> {
 }
 
 #[test]
-fn labels_are_inside_their_drawing_and_on_no_other_label() {
+fn labels_are_inside_their_drawing_and_on_no_other_label_and_below_no_handle() {
     let mut faults = vec![];
     for figure in FIGURES.iter() {
-        let Content::Drawing { draw, .. } = figure.content else { continue };
         for values in values_at_limits(figure).iter().chain(&default_and_spread_values(figure)) {
-            let drawing = draw(values);
+            let Some(drawing) = figure.draw(values) else { continue };
+            let handles = figure.handles.iter();
+            let handles =
+                handles.filter_map(|handle| Some((handle.label, (handle.locate)(values)?)));
+            let handles: Vec<_> = handles.collect();
             let size = dvec2(WIDTH, drawing.height());
             let labels: Vec<_> = drawing.label_boxes().collect();
             for (k, (text, label_box)) in labels.iter().enumerate() {
@@ -170,6 +173,9 @@ fn labels_are_inside_their_drawing_and_on_no_other_label() {
                 }
                 let overlapped = labels[..k].iter().find(|(_, other)| label_box.overlaps(other));
                 faults.extend(overlapped.map(|(other, _)| format!("{label} overlaps {other}")));
+                let mut handles = handles.iter();
+                let above = handles.find(|(_, position)| label_box.is_below_handle(*position));
+                faults.extend(above.map(|(handle, _)| format!("{label} is below {handle}")));
             }
         }
     }
@@ -179,8 +185,8 @@ fn labels_are_inside_their_drawing_and_on_no_other_label() {
 #[test]
 fn ids_in_a_drawing_begin_with_the_name_of_its_figure() {
     for figure in FIGURES.iter() {
-        let Content::Drawing { draw, .. } = figure.content else { continue };
-        let svg = draw(&figure.default_values()).svg_elements();
+        let Some(drawing) = figure.draw(&figure.default_values()) else { continue };
+        let svg = drawing.svg_elements();
         for id in svg.split(" id=\"").skip(1) {
             assert!(id.starts_with(figure.name), "{}: {id}", figure.name);
         }
