@@ -23,13 +23,15 @@
     // Makes elements for the lines of a reply and for its three pictures. The reply's pixels
     // contain these pictures side by side.
     /** @param {CheckReply} reply */
-    function makeReport({ lines: [headline, ...details], size, pixels }) {
+    function makeReport({ lines: [headline, ...details], links, size, pixels }) {
         // In a listed mistake, the right lines start with a minus. The wrong lines that were
         // written instead start with a plus.
         const parts = details.map((line, k) => {
-            const text = k + 1 < details.length ? `${line}\n` : line;
-            if (line.startsWith("  - ")) return book.make("del", {}, text);
-            return line.startsWith("  + ") ? book.make("ins", {}, text) : text;
+            const end = k + 1 < details.length ? "\n" : "";
+            const address = links?.[line];
+            if (address) return book.make("a", { href: address }, line, end);
+            if (line.startsWith("  - ")) return book.make("del", {}, line, end);
+            return line.startsWith("  + ") ? book.make("ins", {}, line, end) : line + end;
         });
         const report = book.make("span", { class: "report" }, book.make("b", {}, headline), ...parts);
         if (!size) return [report];

@@ -38,3 +38,25 @@ for (const [name, asked] of forms.filter(([, , k]) => k === 0)) {
     await expect(form).toBeInViewport();
   });
 }
+
+test('what is plain to see comes first, with a link to the section to read again', async ({ page, home }) => {
+  await open(page, `${home}step02_sphere.html`);
+  const form = page.locator('form[data-check]').first();
+  await form.and(page.locator(':not([hidden])')).waitFor({ state: 'attached' });
+  // Draws the right picture upside down, and drops it.
+  await form.evaluate(async one => {
+    const image = Object.assign(new Image(), { src: 'generated/step02_sphere.png' });
+    await image.decode();
+    const canvas = new OffscreenCanvas(image.width, image.height);
+    const context = canvas.getContext('2d');
+    context.scale(1, -1);
+    context.drawImage(image, 0, -image.height);
+    const dataTransfer = new DataTransfer();
+    dataTransfer.items.add(new File([await canvas.convertToBlob()], 'step02_sphere.png'));
+    one.dispatchEvent(new DragEvent('drop', { dataTransfer, bubbles: true, cancelable: true }));
+  });
+  const headline = 'Not right. This is the picture of step02_sphere, upside down.';
+  await expect(form.locator('output b')).toHaveText(headline, { timeout: 20_000 });
+  await form.getByRole('link', { name: 'See step 1, "The camera".' }).click();
+  await expect(page.getByRole('heading', { name: 'The camera' })).toBeInViewport();
+});

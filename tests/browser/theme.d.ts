@@ -218,10 +218,14 @@ interface ModuleReplies {
  */
 type ExitCode = 0 | 1 | 2;
 
-/** The reply of `check` to a file. `lines` is the text of the answer, headline first. */
+/**
+ * The reply of `check` to a file. `lines` is the text of the answer, headline first. If a line
+ * names a section of the book, `links` contains its address.
+ */
 interface CheckReply extends Pixels {
   code: ExitCode;
   lines: string[];
+  links?: Record<string, string>;
 }
 
 /**

@@ -47,14 +47,9 @@ fn reason_markdown(
     ShownMistake { section, reason, .. }: &ShownMistake,
     values: &Values,
 ) -> ChapterResult<String> {
-    let step = mistake.step;
-    let is_of_program = mistake.file.ends_with("/program.rs");
-    let chapter = if is_of_program { "step01_program" } else { step.name() };
-    let is_kept = |c: &char| c.is_alphanumeric() || *c == '-';
-    let id = section.to_lowercase().replace(' ', "-");
-    let id: String = id.chars().filter(is_kept).collect();
+    let address = mistake.section_address("md").unwrap_or_default();
     let reason = inline_html(&symbols_as_formulas(reason), values)?;
-    Ok(format!("{reason} [Step {}, “{section}”]({chapter}.md#{id})", step.number()))
+    Ok(format!("{reason} [Step {}, “{section}”]({address})", mistake.step.number()))
 }
 
 /// Returns the HTML of three panels: the wrong picture, the right picture of that step, and the

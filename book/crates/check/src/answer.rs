@@ -1,5 +1,6 @@
 //! The answer about a picture: a verdict, a headline, details and causes.
 
+use crate::explain::section_sentence;
 use course::{Mistake, Step, draw_with_difference, json};
 use image::RgbImage;
 use std::fmt::{self, Display, Formatter};
@@ -139,6 +140,8 @@ pub struct Answer {
     /// Both pictures, if they differ but have the same size. None if other options explain the
     /// difference.
     pub compared_pictures: Option<ComparedPictures>,
+    /// The line about the causes, unless that is the headline.
+    pub(crate) causes_line: Option<String>,
     pub(crate) option_doubts: OptionDoubts,
 }
 
@@ -153,6 +156,7 @@ impl Answer {
             details: vec![],
             causes: vec![],
             compared_pictures: None,
+            causes_line: None,
             option_doubts: OptionDoubts::default(),
         }
     }
@@ -171,12 +175,19 @@ impl Answer {
         lines
     }
 
+    /// The line of the text that names a section of the book, and the address of that section on the
+    /// book's pages. None if there is no such line.
+    pub fn section_link(&self) -> Option<(String, String)> {
+        let Cause::Mistake(mistake) = self.causes.first()? else { return None };
+        Some((section_sentence(mistake)?, mistake.section_address("html")?))
+    }
+
     /// A summary for a row of a table: the notes on the file and, unless the picture is right, the
-    /// headline.
+    /// headline and the causes.
     pub(crate) fn summary(&self) -> String {
         let headline = (self.verdict != Verdict::Right).then_some(&self.headline);
-        let sentences: Vec<_> =
-            self.file_notes.iter().chain(headline).map(|sentence| &**sentence).collect();
+        let sentences = self.file_notes.iter().chain(headline).chain(&self.causes_line);
+        let sentences: Vec<_> = sentences.map(|sentence| &**sentence).collect();
         sentences.join(" ")
     }
 

@@ -73,7 +73,7 @@ fn decode(png: &[u8], file_name: &str) -> Result<ReaderPicture, CheckError> {
 
 /// Compares a picture with the target that it should equal, and explains any difference.
 fn compare(yours: ReaderPicture, target: Target) -> Answer {
-    let Explanation { verdict, headline, details, causes, option_doubts } =
+    let Explanation { verdict, headline, details, causes, causes_line, option_doubts } =
         explain(&yours, &target);
     let ours = target.picture;
     let is_compared = verdict == Verdict::NotRight && yours.rgb.dimensions() == ours.dimensions();
@@ -90,6 +90,7 @@ fn compare(yours: ReaderPicture, target: Target) -> Answer {
         details,
         causes,
         compared_pictures: is_compared.then_some(ComparedPictures { yours: yours.rgb, ours }),
+        causes_line,
         option_doubts,
     }
 }

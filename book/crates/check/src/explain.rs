@@ -9,7 +9,7 @@ use crate::facts::find_facts;
 use crate::other_options::{Options, find_options};
 use crate::reader_picture::ReaderPicture;
 use crate::target::Target;
-use crate::transformed::{describe_transformed_or_uniform, uniform_colour};
+use crate::transformed::{describe_transformed, describe_uniform};
 use crate::wrong_pixel::describe_most_different_pixel;
 use course::{Mistake, Step};
 
@@ -42,6 +42,8 @@ pub(crate) struct Explanation {
     pub details: Vec<String>,
     /// All changes we know of that reproduce this picture exactly.
     pub causes: Vec<Cause>,
+    /// The line about the causes, unless that is the headline.
+    pub causes_line: Option<String>,
     pub option_doubts: OptionDoubts,
 }
 
@@ -54,6 +56,7 @@ pub(crate) fn explain(yours: &ReaderPicture, target: &Target) -> Explanation {
             headline: format!("This is {title}, in every pixel."),
             details: vec![],
             causes: vec![],
+            causes_line: None,
             option_doubts: OptionDoubts::default(),
         };
     }
@@ -67,38 +70,50 @@ pub(crate) fn explain(yours: &ReaderPicture, target: &Target) -> Explanation {
         return explain_options(options, title, mistakes);
     }
     let comparison = Comparison::new(target, &yours.rgb);
-    let whole_picture = match yours.find_equal_locked_picture() {
+    let equal_picture = yours.find_equal_locked_picture();
+    let uniform = if equal_picture.is_none() { describe_uniform(&yours.rgb) } else { None };
+    let whole_picture = match equal_picture {
         Some(name) => Some(format!("This is the picture of {name}, not {title}.")),
-        None => describe_transformed_or_uniform(&yours.rgb, &target.picture, title),
+        None if uniform.is_some() => None,
+        None => describe_transformed(&yours.rgb, &target.picture, title),
     };
     let mut causes: Vec<_> = mistakes.into_iter().map(Cause::Mistake).collect();
-    if whole_picture.is_none() {
+    if whole_picture.is_none() && uniform.is_none() {
         causes.extend(comparison.iter().flat_map(find_unlisted_causes));
     }
-    let is_explained = whole_picture.is_some() || !causes.is_empty();
-    let says_size =
-        comparison.is_none() && (whole_picture.is_none() || uniform_colour(&yours.rgb).is_some());
+    let is_explained = whole_picture.is_some() || uniform.is_some() || !causes.is_empty();
+    let says_size = comparison.is_none() && whole_picture.is_none();
     let size = says_size.then(|| {
         let ((w, h), (columns, rows)) = (yours.rgb.dimensions(), target.picture.dimensions());
         format!("Your picture is {w}×{h} pixels, and {title} {columns}×{rows}.")
     });
     let is_exercise = target.scene.is_none();
-    let may_have_options = is_exercise && (whole_picture.is_none() || says_size);
+    let may_have_options =
+        is_exercise && whole_picture.is_none() && (uniform.is_none() || says_size);
     let pixels = comparison.iter().flat_map(|comparison| {
         let facts = if is_explained { vec![] } else { find_facts(comparison) };
         describe_wrong_pixels(comparison, facts)
     });
-    // The most helpful lines come first: causes, then how the whole picture differs, then facts.
-    let mut lines = describe_causes(&causes, options.as_ref())
+    let described_causes = describe_causes(&causes, options.as_ref());
+    let causes_line = whole_picture.as_ref().and(described_causes.first().cloned());
+    // What anybody would see comes first, then the causes, then facts.
+    let mut lines = whole_picture
         .into_iter()
+        .chain(described_causes)
         .chain(size)
-        .chain(whole_picture)
+        .chain(uniform)
         .chain(pixels)
         .chain(may_have_options.then(|| EXERCISE_NOTE.to_owned()));
     let headline = lines.next().unwrap_or_else(|| format!("This isn't {title}."));
     let details = lines.collect();
-    let option_doubts = OptionDoubts::default();
-    Explanation { verdict: Verdict::NotRight, headline, details, causes, option_doubts }
+    Explanation {
+        verdict: Verdict::NotRight,
+        headline,
+        details,
+        causes,
+        causes_line,
+        option_doubts: OptionDoubts::default(),
+    }
 }
 
 /// Explains a picture that a right program draws with other options.
@@ -113,6 +128,7 @@ fn explain_options(
         headline: options.headline(title),
         details: Options::advice(),
         causes: vec![],
+        causes_line: None,
         option_doubts: OptionDoubts { mistakes, is_one_colour: options.is_one_colour() },
     }
 }
@@ -171,9 +187,16 @@ fn describe_mistake(mistake: &Mistake) -> Vec<String> {
     }
     if let Some(shown) = &mistake.shown {
         lines.push(shown.reason.to_owned());
-        lines.push(format!("See step {}, \"{}\".", mistake.step.number(), shown.section));
     }
+    lines.extend(section_sentence(mistake));
     lines
+}
+
+/// The sentence that names the section of the book to read again. None if the book doesn't show the
+/// mistake.
+pub(crate) fn section_sentence(mistake: &Mistake) -> Option<String> {
+    let heading = mistake.shown.as_ref()?.section;
+    Some(format!("See step {}, \"{heading}\".", mistake.step.number()))
 }
 
 /// Describes how a picture of the right size differs from the target: the facts, the number of

@@ -30,23 +30,26 @@ const CHANNEL_ORDERS: [(&str, [usize; 3]); 4] = [
     ("with green and blue exchanged", [0, 2, 1]),
 ];
 
-/// Describes a picture if it is one colour, or if it is our picture turned, cropped, enlarged or
-/// with its channels swapped. Returns None for all other pictures. `title` is a phrase that stands
-/// for our picture, such as `the picture of glass`.
-pub(crate) fn describe_transformed_or_uniform(
+/// Describes a picture if it is our picture turned, cropped, enlarged or with its channels swapped.
+/// Returns None for all other pictures. `title` is a phrase that stands for our picture, such as
+/// `the picture of glass`.
+pub(crate) fn describe_transformed(
     picture: &RgbImage,
     ours: &RgbImage,
     title: &str,
 ) -> Option<String> {
-    if let Some([r, g, b]) = uniform_colour(picture) {
-        return Some(format!("Your picture is one colour, ({r}, {g}, {b}), in all pixels."));
-    }
     let mut clauses = turned_or_swapped_clauses(picture, ours);
     if clauses.is_empty() {
         clauses.extend(part_or_enlarged_clause(picture, ours));
     }
     let is_ours = !clauses.is_empty();
     is_ours.then(|| format!("This is {title}, {}.", clauses.join(", or ")))
+}
+
+/// Describes a picture if it is one colour. Returns None for all other pictures.
+pub(crate) fn describe_uniform(picture: &RgbImage) -> Option<String> {
+    let [r, g, b] = uniform_colour(picture)?;
+    Some(format!("Your picture is one colour, ({r}, {g}, {b}), in all pixels."))
 }
 
 /// Returns the colour of the picture if all of its pixels have the same colour.

@@ -33,6 +33,9 @@ fn report(result: Result<Answer, CheckError>) -> Reply {
     };
     let lines = json::list(answer.lines().iter().map(|line| json::quote(line)));
     let mut fields = vec![("code", answer.verdict.exit_code().to_string()), ("lines", lines)];
+    if let Some((line, address)) = answer.section_link() {
+        fields.push(("links", json::object([(&*line, json::quote(&address))])));
+    }
     let mut pixels = vec![];
     if let Some(difference) = answer.draw_comparison() {
         let (width, height) = difference.dimensions();

@@ -3,7 +3,10 @@
 
 use crate::json::Json;
 use crate::reply;
+use image::ImageFormat;
+use image::metadata::Orientation;
 use std::collections::BTreeSet;
+use std::io::Cursor;
 use std::sync::LazyLock;
 
 /// The types in theme.d.ts, without the comments.
@@ -16,28 +19,40 @@ static TYPES: LazyLock<String> = LazyLock::new(|| {
 /// A picture that is right for step 2, and wrong for step 1.
 const PICTURE: &[u8] = include_bytes!("../../../../tests/snapshots/step02_sphere.snap.png");
 
+/// The same picture upside down, for which the book has a section to read.
+static UPSIDE_DOWN: LazyLock<Vec<u8>> = LazyLock::new(|| {
+    let mut picture = image::load_from_memory(PICTURE).expect("a picture");
+    picture.apply_orientation(Orientation::FlipVertical);
+    let mut png = Cursor::new(vec![]);
+    picture.write_to(&mut png, ImageFormat::Png).expect("a picture");
+    png.into_inner()
+});
+
 /// Requests with their files. Every field that a reply can have occurs in the reply to at least one
 /// of these requests.
-const REQUESTS: [(&str, &[u8]); 15] = [
-    (r#"{"request":"mistakes"}"#, b""),
-    (r#"{"request":"check","fileName":"my.png","picture":"step02_sphere"}"#, PICTURE),
-    (r#"{"request":"check","fileName":"my.png","picture":"step01_rays"}"#, PICTURE),
-    (r#"{"request":"check","fileName":"my.png","picture":"step01_rays"}"#, b"no picture"),
-    (r#"{"request":"check-scene","fileName":"my.png","person":"Ada"}"#, b"no picture"),
-    (r#"{"request":"edit","columns":16,"lines":[{"place":"a","text":"1.0"}]}"#, b""),
-    (r#"{"request":"edit","columns":16,"lines":[{"place":"a","text":"1"}]}"#, b""),
-    (r#"{"request":"about","figure":"row"}"#, b""),
-    (r#"{"request":"about","figure":"own_scene"}"#, b""),
-    (r#"{"request":"show","figure":"row","values":{},"columns":null}"#, b""),
-    (r#"{"request":"show","figure":"own_scene","values":{},"columns":16}"#, b""),
-    (r#"{"request":"read","figure":"own_scene","values":{}}"#, b""),
-    (
-        r#"{"request":"drag","figure":"own_scene","values":{},"columns":16,"handle":0,"position":[1,2]}"#,
-        b"",
-    ),
-    (r#"{"request":"pick","figure":"own_scene","values":{},"position":[1,2]}"#, b""),
-    (r#"{"request":"open","figure":"row","address":""}"#, b""),
-];
+static REQUESTS: LazyLock<[(&str, &[u8]); 16]> = LazyLock::new(|| {
+    [
+        (r#"{"request":"mistakes"}"#, b""),
+        (r#"{"request":"check","fileName":"my.png","picture":"step02_sphere"}"#, PICTURE),
+        (r#"{"request":"check","fileName":"my.png","picture":"step02_sphere"}"#, &UPSIDE_DOWN),
+        (r#"{"request":"check","fileName":"my.png","picture":"step01_rays"}"#, PICTURE),
+        (r#"{"request":"check","fileName":"my.png","picture":"step01_rays"}"#, b"no picture"),
+        (r#"{"request":"check-scene","fileName":"my.png","person":"Ada"}"#, b"no picture"),
+        (r#"{"request":"edit","columns":16,"lines":[{"place":"a","text":"1.0"}]}"#, b""),
+        (r#"{"request":"edit","columns":16,"lines":[{"place":"a","text":"1"}]}"#, b""),
+        (r#"{"request":"about","figure":"row"}"#, b""),
+        (r#"{"request":"about","figure":"own_scene"}"#, b""),
+        (r#"{"request":"show","figure":"row","values":{},"columns":null}"#, b""),
+        (r#"{"request":"show","figure":"own_scene","values":{},"columns":16}"#, b""),
+        (r#"{"request":"read","figure":"own_scene","values":{}}"#, b""),
+        (
+            r#"{"request":"drag","figure":"own_scene","values":{},"columns":16,"handle":0,"position":[1,2]}"#,
+            b"",
+        ),
+        (r#"{"request":"pick","figure":"own_scene","values":{},"position":[1,2]}"#, b""),
+        (r#"{"request":"open","figure":"row","address":""}"#, b""),
+    ]
+});
 
 /// A field of a type in theme.d.ts.
 struct Field {
@@ -129,7 +144,7 @@ fn replies_have_the_fields_that_the_scripts_expect() {
     let kinds = find_fields("ModuleReplies").expect("the replies");
     let mut comparison = Comparison::default();
     let mut requested = BTreeSet::new();
-    for (request, file) in REQUESTS {
+    for &(request, file) in &*REQUESTS {
         let fields = Json::new(request).object().expect(request);
         let (_, name) = &fields[0];
         let name = name.string().expect(request);

@@ -227,6 +227,17 @@ impl Mistake {
         self.shown.as_ref().map(|shown| &*shown.pictures).unwrap_or_default()
     }
 
+    /// The address of the section to read again, such as `step01_rays.html#the-camera` if the files
+    /// of chapters have the extension `html`. None if the book doesn't show the mistake.
+    pub fn section_address(&self, extension: &str) -> Option<String> {
+        let heading = self.shown.as_ref()?.section;
+        let is_of_program = self.file.ends_with("/program.rs");
+        let chapter = if is_of_program { "step01_program" } else { self.step.name() };
+        let id = heading.to_lowercase().replace(' ', "-");
+        let id: String = id.chars().filter(|c| c.is_alphanumeric() || *c == '-').collect();
+        Some(format!("{chapter}.{extension}#{id}"))
+    }
+
     /// The steps whose pictures the mistake may change: the mistake's step and all later steps.
     pub fn affected_steps(&self) -> impl Iterator<Item = Step> {
         Step::ALL.into_iter().skip(self.step as usize)
