@@ -46,6 +46,15 @@
     /** @type {(event: Event) => EditedLine | null} */
     const lineOf = event => /** @type {Element} */ (event.target).closest("[data-line]");
 
+    // Puts the spaces at the start of a line's second and later rows into elements of their own, so
+    // that they aren't underlined.
+    /** @param {Element} line */
+    function separateIndents(line) {
+        for (const { 0: spaces, index } of line.textContent.matchAll(/(?<=\n) +/g)) {
+            book.makeRange(line, index, spaces.length).surroundContents(book.make("span", { "class": "indent" }));
+        }
+    }
+
     // Makes the places of a listing editable.
     /** @param {HTMLElement} listing */
     function makeEditable(listing) {
@@ -59,6 +68,7 @@
             });
             line.append(range.extractContents());
             range.insertNode(line);
+            separateIndents(line);
         }
         for (const kind of ["click", "beforeinput"]) {
             code.addEventListener(kind, event => {
@@ -110,6 +120,7 @@
     function setText(line, text) {
         keepBook(line);
         line.textContent = text;
+        if (line !== selected) separateIndents(line);
         if (!isBook(line)) return;
         book.writeHTML(() => { line.innerHTML = line.bookHTML; });
         if (line !== selected) delete line.dataset.book;

@@ -193,3 +193,21 @@ test('a link with a control character, or with more edits than places, changes n
     await expect(page).not.toHaveURL(/#line/);
   }
 });
+
+test('the spaces at the start of the rows of a line are not underlined, not even after an edit', async ({ page, home }) => {
+  await open(page, `${home}step05_phong.html`);
+  const line = page.locator('[data-line=specular]');
+  const indents = line.locator('.indent');
+  await expect(indents).toHaveCount(2);
+  expect(await indents.allTextContents()).toEqual(['        ', '        ']);
+  await line.evaluate(one => one.scrollIntoView({ block: 'center' }));
+  await page.locator('.with-margin', { has: line }).locator('code.hljs').waitFor();
+  await line.focus();
+  await page.keyboard.press('Enter');
+  await page.keyboard.press('End');
+  await page.keyboard.type(' * 0.5');
+  await page.keyboard.press('Escape');
+  await expect(line).toContainText(' * 0.5');
+  await expect(indents).toHaveCount(2);
+  await expect(indents.first()).toHaveCSS('display', 'inline-block');
+});
