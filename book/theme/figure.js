@@ -199,7 +199,7 @@
         }
 
         /** @param {HTMLInputElement} input @param {ParameterAbout} parameter */
-        followInput(input, { id, step }) {
+        followInput(input, { id, min, step }) {
             input.addEventListener("input", () => {
                 const value = input.type === "checkbox" ? Number(input.checked) : book.readNumber(input.value);
                 if (Number.isNaN(value)) return;
@@ -220,6 +220,8 @@
             // arrow keys still change the number by one step.
             if (input.type !== "number") return;
             input.type = "text";
+            // A phone's keypad for decimal numbers has no minus.
+            if (min >= 0) input.inputMode = "decimal";
             input.addEventListener("focus", () => input.select());
             input.addEventListener("change", () => { input.value = String(this.values[id]); });
             input.addEventListener("keydown", event => {

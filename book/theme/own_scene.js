@@ -49,6 +49,18 @@
     /** @param {InteractiveFigure} figure @param {[number, number]} position @returns {string | null} */
     const pickObject = ({ module, name, values }, position) => book.ask(module, { request: "pick", figure: name, values, position }).object;
 
+    // If the selected object isn't in the scene, selects the first one that is. This is only for
+    // scenes from an address or from the history: a reader may select a missing sphere to add it.
+    /** @param {InteractiveFigure} figure */
+    function selectPresent(figure) {
+        const { handles, objectSelect, values } = figure;
+        /** @param {Handle} handle */
+        const isPresent = handle => values[handle.about.presence] !== 0;
+        if (handles.some(handle => handle.object === objectSelect.value && !isPresent(handle))) {
+            figure.selectObject(handles.find(isPresent).object);
+        }
+    }
+
     // The link below a preview opens the scene that the preview shows. Once the reader has changed
     // the scene, there is also a Reset button.
     /** @param {InteractiveFigure} figure */
@@ -83,6 +95,7 @@
             if (!states.has(steps)) return;
             figure.values = states.go(steps);
             figure.draw();
+            selectPresent(figure);
         };
         const undo = addTool("Undo", () => showState(-1));
         const redo = addTool("Redo", () => showState(1));
@@ -97,6 +110,7 @@
         figure.reset.addEventListener("click", event => {
             if (!confirm("Begin again with the scene of step 5? Undo brings yours back.")) event.stopImmediatePropagation();
         }, { capture: true });
+        figure.reset.addEventListener("click", () => selectPresent(figure));
         return keepState;
     }
 
@@ -128,6 +142,7 @@
             const address = location.hash.slice(SCENE.length).replace(/%3A/gi, ":").replace(/%2C/gi, ",");
             try {
                 figure.show(book.ask(figure.module, { request: "open", figure: figure.name, address }));
+                selectPresent(figure);
                 figure.root.scrollIntoView({ block: "nearest" });
             } catch (error) {
                 if (!(error instanceof book.Refusal)) throw error;

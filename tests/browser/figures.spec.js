@@ -10,6 +10,7 @@ test('a handle goes to its ends, and says nothing there', async ({ page, home })
   const handle = figure.getByRole('slider', { name: 'the start S' });
   await handle.focus();
   const position = () => handle.evaluate(one => Number(one.getAttribute('aria-valuenow')));
+  await expect(figure.locator('[data-parameter=the-start-S-x] [type=text]')).not.toHaveAttribute('inputmode');
   const [first, refused] = [await position(), figure.locator('.refused')];
   // When the ray moves to the right, its tip reaches the figure's border before its start reaches
   // the end of the start's range.
@@ -26,6 +27,8 @@ test('a typed number that a figure cannot use is explained', async ({ page, home
   const figure = page.locator('#figure-attenuation');
   await makeReady(figure);
   const field = figure.getByRole('textbox', { name: 'c of your curve' });
+  // A phone's keypad for decimal numbers has no minus, so only a number without sign asks for it.
+  await expect(field).toHaveAttribute('inputmode', 'decimal');
   for (const [text, words] of [['-5', 'The figure shows 0 instead.'], ['0.1', '']]) {
     await field.fill(text);
     await expect(figure.locator('.refused')).toHaveText(words);

@@ -25,7 +25,14 @@ test('a ball is dragged, coloured, undone and kept, and a sphere comes in', asyn
   // The line that changed is marked in the program.
   const changed = await page.evaluate(() => [...CSS.highlights.get('changed')].map(String));
   expect(changed).toEqual([expect.stringMatching(/^ {12}ball\("red sphere".*\[0.0, 1.0, 0.0\], 0.7, 40\),$/)]);
+  const select = page.getByRole('combobox');
   await press('+ Sphere');
+  await expect(page).toHaveURL(/tenth-sphere-in-the-scene:1$/);
+  await expect(select).toHaveValue('tenth sphere');
+  // A sphere that is gone again isn't selected any more.
+  await press('Undo');
+  await expect(select).toHaveValue('red sphere');
+  await press('Redo');
   await expect(page).toHaveURL(/tenth-sphere-in-the-scene:1$/);
   await press('Download PNG');
   await page.waitForFunction(() => window.kept === 'own_scene.png', null, { timeout: 30_000 });
