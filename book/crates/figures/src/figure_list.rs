@@ -26,6 +26,7 @@ pub static FIGURES: LazyLock<Vec<Figure>> = LazyLock::new(|| {
         flat_world::figure(),
         step01::figure(),
         step01::figure_with_probe(),
+        step01::checkerboard(),
         step02::figure(),
         step03::figure(),
         step04::figure(),

@@ -102,6 +102,7 @@ fn default_and_spread_values(figure: &Figure) -> Vec<ParameterValues> {
 fn figure_draws_the_same_picture_as_its_program() {
     let steps = Step::NAMES.map(|name| (name, "", name));
     let others = [
+        ("checkerboard", "", "checkerboard"),
         ("mirror", "", "mirror"),
         ("own_scene", "", "step05_phong"),
         ("own_scene", "the-way-back-shadows-and-mirrors:1", "mirror"),

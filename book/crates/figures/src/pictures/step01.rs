@@ -1,4 +1,4 @@
-//! The picture of step 1, with a camera that the reader can set.
+//! The picture of step 1, with a camera that the reader can set, and two pictures with a probe.
 
 use crate::probe::{I, J, SIZE, draw_picture, probe_ray, probed_picture};
 use crate::{
@@ -6,6 +6,7 @@ use crate::{
     format_vector,
 };
 use course::FOV_DEGREES;
+use course::examples::checkerboard::colour as checkerboard_colour;
 use step01_rays::{AspectRatio, Camera, direction_colour, render, rgb8};
 
 pub const FIELD_OF_VIEW: ParameterId = ParameterId::new("field of view");
@@ -22,6 +23,9 @@ const ASPECT_RATIOS: [AspectRatio; 4] = [
 
 /// The names that the control shows for [`ASPECT_RATIOS`], in the same order.
 const ASPECT_RATIO_NAMES: &[&str] = &["4:3", "16:9", "2.35:1", "2.59:1"];
+
+/// The height of the floor in the example `checkerboard`.
+const CHECKERBOARD_HEIGHT: f64 = -1.5;
 
 /// The picture of step 1. Its field of view, aspect ratio and number of columns can be set.
 pub fn figure() -> Figure {
@@ -59,6 +63,30 @@ pub fn figure_with_probe() -> Figure {
     }
 }
 
+/// The checkered floor with a probe, which says where on the floor a ray arrives.
+pub fn checkerboard() -> Figure {
+    Figure {
+        readouts: |values| {
+            let ray = probe_ray(values);
+            let t = CHECKERBOARD_HEIGHT / ray.direction.y;
+            let seen = if t > 0.0 {
+                format!("floor, t = {}, p = {}", format_number(t), format_vector(ray.at(t)))
+            } else {
+                "sky".to_owned()
+            };
+            collect_readouts([
+                ("i", format_number(values[I])),
+                ("j", format_number(values[J])),
+                ("seen", seen),
+                ("bytes", format_vector(rgb8(checkerboard_colour(&ray)).0.map(f64::from))),
+            ])
+        },
+        ..probed_picture("checkerboard", [320.0, 270.0], [], |_, columns| {
+            draw_picture(columns, checkerboard_colour)
+        })
+    }
+}
+
 /// The choice of an aspect ratio, by default 16:9.
 pub fn aspect_ratio_parameter() -> Parameter {
     Parameter::choice(ASPECT_RATIO, "aspect ratio", 1.0, ASPECT_RATIO_NAMES)
@@ -68,4 +96,23 @@ pub fn aspect_ratio_parameter() -> Parameter {
 pub fn camera(values: &ParameterValues, columns: u32) -> Camera {
     let v_res = values.choice(ASPECT_RATIO, &ASPECT_RATIOS).v_res(columns);
     Camera::new(columns, v_res, values[FIELD_OF_VIEW].to_radians())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn probe_says_floor_where_the_picture_has_tiles() {
+        let figure = checkerboard();
+        for (j, seen) in [(100.0, "sky"), (179.0, "sky"), (180.0, "floor"), (359.0, "floor")] {
+            let values = figure.default_values_with_probe_at([100.0, j]).expect("a pixel");
+            let ray = probe_ray(&values);
+            assert_eq!(checkerboard_colour(&ray) == direction_colour(&ray), seen == "sky");
+            assert!((figure.readouts)(&values)["seen"].starts_with(seen), "row {j}");
+        }
+        let values = figure.default_values_with_probe_at([320.0, 270.0]).expect("a pixel");
+        let seen = &(figure.readouts)(&values)["seen"];
+        assert_eq!(seen, "floor, t = 9.1722, p = (0.0083, −1.5, −9.1722)");
+    }
 }
