@@ -264,11 +264,11 @@ const book = /** @type {any} */ ({ root: document.documentElement });
             const copy = /** @type {Element} */ (code.cloneNode(true));
             const edited = copy.querySelectorAll("[data-book]");
             for (const line of edited) line.textContent = line.dataset.book;
-            // A file may be shown in several listings. Add the blank lines that follow this listing
-            // in the file, so that the listings can be pasted one below the other.
-            const lines = Number(caption.parentElement.style.getPropertyValue("--lines"));
-            const ends = lines + 1 - copy.textContent.split("\n").length;
-            const text = copy.textContent + "\n".repeat(Math.max(0, ends));
+            // A file may be shown in several listings, to be pasted one below the other. A later one
+            // begins with the blank line above it. If an earlier one ended with that line, an editor
+            // that formats the file would drop it.
+            const start = caption.parentElement.matches("[data-below-blank]") ? "\n" : "";
+            const text = `${start}${copy.textContent.trimEnd()}\n`;
             book.copyAndReport(button, text, edited.length ? "Copied, without your lines" : "Copied");
         });
     }

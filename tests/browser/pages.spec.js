@@ -1,5 +1,7 @@
 // Every page shows its pictures and fits its window, and is accessible as far as axe can tell.
 import AxeBuilder from '@axe-core/playwright';
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
 import { chapters, pages } from './book.js';
 import { expect, open, test } from './fixtures.js';
 
@@ -75,6 +77,25 @@ test('commands are copied without the prompt and the output', async ({ page, hom
   expect(await page.evaluate(() => navigator.clipboard.readText())).toBe(
     'cargo run -p step01_rays -- --fov 120 --output wide.png\n'
     + 'cargo run -p step01_rays -- --aspect 2.59:1 --output cinerama.png');
+});
+
+test('the copied parts of a file are the file if they are pasted one below the other', async ({ page, home, browserName }) => {
+  test.skip(browserName !== 'chromium', 'only Chromium has a clipboard that a test can read');
+  await page.context().grantPermissions(['clipboard-read', 'clipboard-write']);
+  const parts = [];
+  for (const name of ['step01_rays', 'step01_program']) {
+    await open(page, `${home}${name}.html`);
+    for (const button of await page.getByRole('button', { name: 'Copy step01_rays/src/lib.rs' }).all()) {
+      await button.click();
+      await expect(button).toHaveText('Copied');
+      parts.push(await page.evaluate(() => navigator.clipboard.readText()));
+    }
+  }
+  expect(parts.length).toBeGreaterThan(2);
+  const file = join(import.meta.dirname, '../../steps/step01_rays/src/lib.rs');
+  expect(parts.join('')).toBe(readFileSync(file, 'utf8'));
+  // An editor that formats a file drops blank lines at its end.
+  expect(parts.filter(part => part.endsWith('\n\n'))).toEqual([]);
 });
 
 // axe checks these pages only with THOROUGH=1, because they consist of the same kinds of parts as

@@ -50,6 +50,7 @@ pub fn expand_listing(
     let lines: Vec<&str> = text.lines().collect();
     let range = part_lines(part, &lines)?;
     let extent = Extent::new(&range, lines.len());
+    let is_below_blank = range.start > 0 && lines[range.start - 1].is_empty();
     let code = lines[range].join("\n");
     let scene = Some(scene).filter(|scene| !scene.is_empty());
     if let Some(name) = scene
@@ -60,7 +61,8 @@ pub fn expand_listing(
     let new_lines = read_file_of_nearest_earlier_step(path, &sources.workspace)
         .map_or(vec![], |old| new_lines(&code, &old));
     let places = places_list(path, &code);
-    let listing = Listing { path, language, code: &code, extent, new_lines, places, scene };
+    let listing =
+        Listing { path, language, code: &code, extent, is_below_blank, new_lines, places, scene };
     Ok(ExpandedListing { markdown: listing.markdown(ids), has_places: listing.places.is_some() })
 }
 
@@ -70,6 +72,8 @@ struct Listing<'a> {
     language: &'a str,
     code: &'a str,
     extent: Extent,
+    /// Whether there is a blank line above the code in its file.
+    is_below_blank: bool,
     /// The indices of the new lines, which the file of the same name in an earlier step doesn't
     /// have.
     new_lines: Vec<usize>,
@@ -143,6 +147,10 @@ impl Listing<'_> {
         // The stylesheet for paper doesn't split a listing that has this attribute.
         if self.code.lines().count() <= MAX_UNSPLIT_LINES {
             attributes.push(("data-short", String::new()));
+        }
+        // The button that copies the code puts a blank line above it.
+        if self.is_below_blank {
+            attributes.push(("data-below-blank", String::new()));
         }
         attributes.extend(self.places.iter().map(|places| ("data-places", places.clone())));
         attributes.extend(self.scene.map(|scene| ("data-code", scene.to_owned())));
@@ -254,7 +262,16 @@ mod tests {
     fn listing(code: &str, new_lines: Vec<usize>) -> Listing<'_> {
         let path = "steps/step02_sphere/src/sphere.rs";
         let extent = Extent::Beginning;
-        Listing { path, language: "rust", code, extent, new_lines, places: None, scene: None }
+        Listing {
+            path,
+            language: "rust",
+            code,
+            extent,
+            is_below_blank: false,
+            new_lines,
+            places: None,
+            scene: None,
+        }
     }
 
     #[test]
