@@ -101,6 +101,17 @@ for (const [name, seen] of Object.entries({
   });
 }
 
+test('the controls stay in their places when a picture is first touched', async ({ page, home }) => {
+  await open(page, `${home}step05_phong.html`);
+  const figure = page.locator('figure[data-live="step05_phong"]');
+  await makeReady(figure);
+  const places = () => figure.locator('.controls > :is(.switch, .range, .exact, .reset)').evaluateAll(all => all.map(one => [one.offsetLeft, one.offsetTop, one.offsetWidth]));
+  const before = await places();
+  await figure.locator('.handle-probe').click();
+  await expect(figure).toHaveAttribute('data-touched');
+  expect(await places()).toEqual(before);
+});
+
 test('the keys reach a pixel of the first picture', async ({ page, home }) => {
   await open(page, `${home}step05_phong.html`);
   const preview = page.locator('figure[data-preview]');
