@@ -13,20 +13,27 @@
     // Words. Queries and the text of the book are treated alike: a text is split into words, and
     // each word has one or more terms by which it is found.
 
-    const WORD = /[\p{L}\p{N}_]+/gu;
+    // What follows an apostrophe, as in "doesn't", isn't a word, and nor is the ending of a file name such as "ray.rs", so
+    // that `t` and `Rs` are found where they stand for something.
+    const WORD = /(?<![\p{L}\p{N}_]|\p{L}['’]|\.(?=rs\b))[\p{L}\p{N}_]+/gu;
+    // Letters of formulas and digits set as exponents become ordinary ones, so that `b^2` and `hRes` are found as b² and ℎ𝑅𝑒𝑠.
+    /** @type {(text: string) => string} */
+    const straighten = text => text.normalize("NFKC").replaceAll("^", "");
     /** @type {(text: string) => string[]} */
-    const findWords = text => text.match(WORD) ?? [];
+    const findWords = text => straighten(text).match(WORD) ?? [];
     // Stop words: they say nothing about the subject of a query.
-    const SMALL_WORDS = new Set(findWords(`a about again all also always am an and any anything are aren around as at be been
-        but by came can come comes completely could did didn do does doesn don entire even ever every everything for from gave
-        get gets give gives go goes got had happen happens has have how i if in instead into is isn it its just know like ll
-        look looking looks lot make makes making many matter me mean most much must my need of on or our out quite really s seem seems
-        shall should show so some still strange t take takes tell tells than that the their them then there these they thing
-        things this to too totally use using very want was wasn we weird were what when where which who whole why will with
-        work works would you your`));
+    const SMALL_WORDS = new Set(findWords(`a about again all also although always am an and any anybody anything are
+        aren around as at be been but by came can come comes completely could couldn did didn do does doesn don entire
+        even ever every everything for from gave get gets give gives go goes got had happen happens has hasn have haven
+        how i if in instead into is isn it its just know like look looking looks lot make makes making many matter me
+        mean most much must my need of on or our out quite really seem seems shall should shouldn show so some somebody
+        something still strange take takes tell tells than that the their them then there these they thing things this
+        though to too totally use using very want was wasn we weird were what when where which who whole why will with
+        won work works would wouldn you your yours`));
     // Spellings and names of letters, each with the form that the search uses in its place.
     const SPELLINGS = /** @type {[RegExp, string][]} */ ([
         [/color/, "colour"], [/center/, "centre"], [/gray/, "grey"], [/iz(?=e|ing|ation)/, "is"], [/^theta$/, "θ"], [/^alpha$/, "α"],
+        [/^(\p{L})_(\p{L}|\p{N})$/u, "$1$2"],
     ]);
 
     // The ending of a plural. The s of "is", "axis", "less" and "radius" isn't one.
@@ -39,7 +46,7 @@
     // a plural.
     /** @param {string} word */
     function stem(word) {
-        const spelled = SPELLINGS.reduce((text, [from, to]) => text.replace(from, to), word.toLowerCase());
+        const spelled = SPELLINGS.reduce((text, [from, to]) => text.replace(from, to), straighten(word).toLowerCase());
         return spelled.replace(PLURAL, "");
     }
 
@@ -69,9 +76,16 @@
         return [...new Set((subjects.length ? subjects : words).slice(0, MOST_WORDS).map(stem))];
     }
 
+    const addUp = (/** @type {number[]} */ numbers) => numbers.reduce((sum, number) => sum + number, 0);
+
     // Simplifies a text, so that texts can be compared without regard to case and punctuation.
     /** @param {string} text */
     const simplify = text => findWords(text.toLowerCase()).join(" ");
+
+    // What a formula or a piece of code has in common with the same one that is written with other blanks, dots, dashes and exponents.
+    /** @param {string} text */
+    const findSymbols = text => straighten(text).toLowerCase().replace(/\s/g, "").replace(/⋅/g, "·").replace(/−/g, "-");
+    const HAS_SYMBOLS = /[^\p{L}\p{N}\s_.,:;?!'’-]/u;
 
     // The score of a section. MiniSearch computes one from the fields in which a query's words occur, with the two boosts,
     // and `find` multiplies it by the other factors. Each number is here because of some queries in
@@ -80,34 +94,37 @@
 
     // The weight of a word in a section's title. A word in its text has the weight 1. "lambert"
     const TITLE_BOOST = 3;
-    // The weight of a word in the phrases by which readers look for the section. "how do I make a sphere shinier"
+    // The weight of a word in the phrases by which readers look for the section. "exercises"
     const PHRASES_BOOST = 2;
     // The weight of the mistakes, if something is wrong with the reader's picture. "the light doesn't get weaker"
     const MISTAKES_WEIGHT = 3;
-    // The weight of a page that only repeats the chapters. "what does powi do"
+    // Their weight if something may be wrong: the query has three words or more, and isn't a question.
+    // "the side away from the lamp is as bright as the front"
+    const POSSIBLE_MISTAKES_WEIGHT = 1;
+    // The weight of a page that only repeats the chapters. "jitter"
     const REPETITION_WEIGHT = 0.1;
-    // The weight of the first section of the book. It falls from section to section, to 0.4 for the last. "Fn closure"
+    // The weight of the first section of the book. It falls from section to section, to 0.4 for the last. "exercises"
     const FIRST_SECTION_WEIGHT = 1.4;
-    // The exponent of the share of the query's words that a section has: a section with half of them counts an eighth.
-    // "how to use the book in class"
+    // The exponent of the share of the query that a section has, where each word counts by its weight: a section with half
+    // of it counts an eighth. "how do students hand in their pictures"
     const SHARE_EXPONENT = 3;
-    // What is added to 1 if the title and the phrases have all of the query's words. "ball in the back is drawn in front"
-    const SHARE_IN_NAMES_BONUS = 3;
-    // What is added to 1 if a whole name of the section makes up the whole query. "my colours are wrong"
+    // What is added to 1 if a whole name of the section makes up the whole query. "color"
     const WHOLE_NAME_BONUS = 99;
-    // The exponent of the name's share of the query, for a name that makes up only a part of it. "near plane"
+    // The exponent of the name's share of the query, for a name that makes up only a part of it. "how do I test my code"
     const WHOLE_NAME_EXPONENT = 3;
-    // The factor of a section that has the query letter by letter. "Option<f64>"
-    const VERBATIM_FACTOR = 2;
-    // The factor of a section with a name that has just the query's words, in their order. "Material"
+    // The factor of a section that has the query symbol by symbol, if it has any, as code and formulas do. "Option<f64>"
+    const VERBATIM_FACTOR = 20;
+    // The factor of a section with a name that is the query, word by word or symbol by symbol. "n·l"
     const EXACT_NAME_FACTOR = 10;
+    // What is added to the rarity of a word, so that a common word has some weight, too. "highlights have colour"
+    const RARITY_ADDEND = 3;
 
     // The index.
 
     /**
      * A section of the book, with the phrases by which readers look for it. Its names are its title and these phrases.
      * @typedef {{ page: string, id: string, chapter: string, title: string, prose: string, listings: string, phrases: string[],
-     *     lowerCase: string, names: { simple: string, families: string[] }[] }} Section
+     *     symbols: string, names: { simple: string, symbols: string, families: string[] }[] }} Section
      */
 
     /**
@@ -132,8 +149,9 @@
         }
         sections = book.searchIndex.flatMap(([page, chapter, parts]) => parts.map(([id, title, prose, listings, phrases]) => {
             const titleWithoutTime = title.replace(/: [\d.]+ (minutes?|hours?)$/, "");
-            const names = [titleWithoutTime, ...phrases].map(text => ({ simple: simplify(text), families: findSubjects(text).map(findFamily) }));
-            return { page, id, chapter, title, prose, listings, phrases, names, lowerCase: `${title} ${prose} ${listings}`.toLowerCase() };
+            const names = [titleWithoutTime, ...phrases].map(text => (
+                { simple: simplify(text), symbols: findSymbols(text), families: findSubjects(text).map(findFamily) }));
+            return { page, id, chapter, title, prose, listings, phrases, names, symbols: findSymbols(`${title} ${prose} ${listings}`) };
         }));
         const made = new MiniSearch({
             fields: ["title", "chapter", "phrases", "prose", "listings"], tokenize: findWords,
@@ -154,20 +172,27 @@
 
     // The search.
 
-    // Words in a query that is probably about the reader's own picture, or about something that is
-    // wrong with it.
-    const SYMPTOM = /\b(my|wrong|too|no|not|missing|instead|broken|strange|weird|only|looks?|all|everything|nothing|\w+n['’]t)\b/i;
+    // Words in a query that is probably about the reader's own picture, or about something that is wrong with it. In a
+    // question, only a few of them say so: "why is the sky not black" isn't about a mistake, but "what if I use D and not
+    // its square root" may be.
+    const SYMPTOM = /\b(my|yours|wrong|too|no|not|missing|instead|forgot|broken|strange|weird|only|looks?|all|everything|nothing|should be|\w+n['’]t)\b/i;
+    const SYMPTOM_IN_QUESTION = /\b(my|wrong|too|instead|broken|strange|weird)\b/i;
+    const QUESTION = /^(?!what (happens )?if)(wh\w+|how|can|could|do|does|is|are|may|should|must)\b/i;
     // A sentence that says how something is, such as "the sky is green".
-    const STATEMENT = /^(?!wh|how|can|do)(\S+ ){1,3}(is|are|has|have|comes?)\b/i;
-    // Families that say little, though they matter in a name such as "no highlights".
-    const WEAK_FAMILIES = ["~pictur", "~no"];
+    const STATEMENT = /^(\S+ ){1,3}(is|are|has|have|comes?)\b/i;
+    // The weight of the mistakes for a query with a number of words that say what it is about.
+    /** @param {string} query @param {number} count */
+    function weighMistakes(query, count) {
+        if (QUESTION.test(query)) return SYMPTOM_IN_QUESTION.test(query) ? MISTAKES_WEIGHT : REPETITION_WEIGHT;
+        if (SYMPTOM.test(query) || STATEMENT.test(query)) return MISTAKES_WEIGHT;
+        return count >= 3 ? POSSIBLE_MISTAKES_WEIGHT : REPETITION_WEIGHT;
+    }
 
     // The weight of a section. Chapters come first, and early sections before later ones, since they explain things
-    // first. Pages that only repeat the chapters come last, but the mistakes come first if something is wrong.
-    /** @param {Section} section @param {number} place @param {boolean} isSymptom */
-    function weigh({ page }, place, isSymptom) {
-        const isRepetition = /^(mistakes|solutions|problems|teaching)/.test(page);
-        const weight = isSymptom && page === "mistakes.html" ? MISTAKES_WEIGHT : isRepetition ? REPETITION_WEIGHT : 1;
+    // first. Pages that only repeat the chapters come last.
+    /** @param {Section} section @param {number} place @param {number} mistakesWeight */
+    function weigh({ page }, place, mistakesWeight) {
+        const weight = page === "mistakes.html" ? mistakesWeight : /^(solutions|problems|teaching)/.test(page) ? REPETITION_WEIGHT : 1;
         return weight * (FIRST_SECTION_WEIGHT - place / sections.length);
     }
 
@@ -185,31 +210,33 @@
         return near?.terms.filter(term => !term.startsWith("~")) ?? [];
     }
 
-    // Finds the sections that have more than half of a query's words, or a name that makes up at
-    // least half of the query. The best come first.
+    // How much a word says about the subject of a query: the fewer sections have one of its terms, the more it says.
+    /** @param {string[]} terms */
+    const weighWord = terms => Math.log(RARITY_ADDEND + sections.length / (index.search(terms.join(" ")).length || 1));
+
+    // Finds the sections that have more than half of a query's words, or a name that makes up at least half of the query.
+    // The best come first.
     /** @param {string} query */
     function find(query) {
         // A reader may write with a hyphen what is a single word in the book.
         const joined = query.replace(/(\p{L}+)-(\p{L}+)/gu, (pair, left, right) => vocabulary.has(stem(left + right)) ? left + right : pair);
         const words = findSubjects(joined).map(findKnownTerms);
         const families = words.map(([term]) => term?.startsWith("~") ? term : findFamily(term ?? ""));
-        const strong = words.filter((_, at) => !WEAK_FAMILIES.includes(families[at])), counted = strong.length ? strong : words;
-        const isSymptom = SYMPTOM.test(query) || STATEMENT.test(query), hasUnknown = words.some(terms => !terms.length);
-        const lowerCase = query.toLowerCase(), simple = simplify(query);
+        const weights = words.map(weighWord), total = addUp(weights), weightOf = new Map(families.map((family, at) => [family, weights[at]]));
+        const mistakesWeight = weighMistakes(query, words.length), hasUnknown = words.some(terms => !terms.length);
+        const symbols = HAS_SYMBOLS.test(query) ? findSymbols(query) : null, simple = simplify(query);
         const results = index.search(words.flat().join(" "));
         for (const result of results) {
             const section = sections[result.id];
-            // The share of the query's words that occur in at least one of these fields.
-            const share = (/** @type {RegExp} */ fields) => counted.filter(terms =>
-                terms.some(term => result.match[term]?.some(field => fields.test(field)))).length / counted.length;
-            const whole = section.names.filter(name => name.families.every(family => families.includes(family)));
-            const asName = Math.max(0, ...whole.map(name => name.families.length)) / words.length;
-            result.share = share(/./);
-            result.isFound = result.share > 0.5 || (asName >= 0.5 && !hasUnknown);
-            result.score *= weigh(section, result.id, isSymptom) * result.share ** SHARE_EXPONENT
-                * (1 + SHARE_IN_NAMES_BONUS * share(/title|phrases/)) * (1 + WHOLE_NAME_BONUS * asName ** WHOLE_NAME_EXPONENT)
-                * (section.lowerCase.includes(lowerCase) ? VERBATIM_FACTOR : 1)
-                * (section.names.some(name => name.simple === simple) ? EXACT_NAME_FACTOR : 1);
+            const has = words.map(terms => terms.some(term => result.match[term]));
+            const names = section.names.filter(name => name.families.every(family => weightOf.has(family)));
+            const asName = Math.max(0, ...names.map(name => addUp(name.families.map(family => weightOf.get(family))))) / total;
+            result.share = addUp(weights.map((weight, at) => has[at] ? weight : 0)) / total;
+            result.isFound = has.filter(Boolean).length > words.length / 2 || (asName >= 0.5 && !hasUnknown);
+            result.score *= weigh(section, result.id, mistakesWeight) * result.share ** SHARE_EXPONENT
+                * (1 + WHOLE_NAME_BONUS * asName ** WHOLE_NAME_EXPONENT)
+                * (symbols && section.symbols.includes(symbols) ? VERBATIM_FACTOR : 1)
+                * (section.names.some(name => symbols ? name.symbols === symbols : name.simple === simple) ? EXACT_NAME_FACTOR : 1);
         }
         return results.filter(result => result.isFound).sort((one, other) => other.score - one.score);
     }
