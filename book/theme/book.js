@@ -287,9 +287,7 @@ const book = /** @type {any} */ ({ root: document.documentElement });
     for (const problem of isWhole ? [] : document.querySelectorAll(".problem")) {
         const [answer, tolerance] = [problem.dataset.answer, problem.dataset.tolerance].map(Number);
         const number = problem.querySelector(".number").textContent;
-        const input = book.make("input", { required: "", placeholder: "your number", autocomplete: "off", "aria-label": `Your number for problem ${number}` });
-        const verdict = book.make("output", {});
-        const form = book.make("form", {}, input, book.make("button", {}, "Check"), verdict);
+        const form = problem.querySelector("form"), input = form.querySelector("input"), verdict = form.querySelector("output");
         // A comma may be a decimal point or a thousands separator, so try both.
         /** @param {string} text */
         const judge = text => {
@@ -313,7 +311,7 @@ const book = /** @type {any} */ ({ root: document.documentElement });
         input.value = book.recall("answers")[number] ?? "";
         if (input.value) check();
         input.addEventListener("input", () => { verdict.textContent = ""; });
-        problem.insertBefore(form, problem.querySelector("details"));
+        form.hidden = false;
     }
 
     // Make parts that may scroll sideways focusable, so that the keyboard can scroll them.

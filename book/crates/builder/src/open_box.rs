@@ -85,7 +85,8 @@ impl Boxes {
     }
 
     /// Opens a folded box, or the answer to the open problem. Returns `html`, the expansion of the
-    /// box's first line, or an error if no box can begin here.
+    /// box's first line, or an error if no box can begin here. The form for the reader's number
+    /// comes before an answer.
     pub fn begin_folded_box(
         &mut self,
         kind: BoxKind,
@@ -96,11 +97,13 @@ impl Boxes {
             && let Some(OpenBox::Problem(problem)) =
                 self.open.take_if(|open| matches!(open, OpenBox::Problem(_)))
         {
+            let form = problem.heading.as_ref().map(ProblemHeading::form_html);
             self.open = Some(OpenBox::Answer(problem.begin_answer(position)));
+            html.map(|html| form.unwrap_or_default() + &html)
         } else {
             self.begin_simple_box(position.in_text, DETAILS_END.to_owned())?;
+            html
         }
-        html
     }
 
     fn begin_simple_box(&mut self, start: usize, end_html: String) -> ChapterResult<()> {

@@ -44,6 +44,17 @@ impl ProblemHeading {
              <b class=\"number\">{number}</b>\n"
         )
     }
+
+    /// The HTML of the form for the reader's number, which follows the problem's text. It is
+    /// hidden if scripts are disabled, since it doesn't work without them.
+    pub fn form_html(&self) -> String {
+        format!(
+            "<form hidden><input required placeholder=\"your number\" autocomplete=\"off\" \
+             aria-label=\"Your number for problem {}\"><button>Check</button>\
+             <output></output></form>\n",
+            self.number
+        )
+    }
 }
 
 /// A problem in a chapter.
@@ -134,7 +145,8 @@ pub fn sheet_markdown(
         problems += &format!("## {}\n\n", title.trim_end_matches(": practice"));
         for Problem { heading, text, result, .. } in chapter {
             problems += &html_block(&heading.opening_html());
-            problems += &format!("{text}\n{}", html_block("</section>"));
+            let end = heading.form_html() + "</section>";
+            problems += &format!("{text}\n{}", html_block(&end));
             let number = &heading.number;
             let link = format!("<a href=\"#problem-{number}\">{number}</a>");
             answers += &html_block(&format!("<div class=\"answer\">{link}"));
