@@ -16,15 +16,17 @@ pub enum StylesheetError {
 
 /// Replaces each link to a stylesheet in the `html` of a page with the text of that stylesheet, so
 /// that a browser can show the page without waiting for further files. `files` contains the
-/// stylesheets. The addresses in them are relative to the stylesheet, and are rewritten to be
-/// relative to the page.
+/// stylesheets. Their comments are left out, since each page would repeat them. The addresses in
+/// them are relative to the stylesheet, and are rewritten to be relative to the page.
 pub fn inline_stylesheets(html: &str, files: &Files) -> Result<String, StylesheetError> {
     replace_between(html, "<link rel=\"stylesheet\" href=\"", "\">", |path| {
         let css = files.text(path).ok_or_else(|| StylesheetError::UnknownFile(path.to_owned()))?;
-        let css = replace_between(css, "url(\"", "\"", |address| {
+        let css = replace_between(css, "/*", "*/", |_| Ok::<_, StylesheetError>(String::new()))?;
+        let css = replace_between(&css, "url(\"", "\"", |address| {
             Ok::<_, StylesheetError>(format!("url(\"{}\"", resolve_path(path, address)))
         })?;
-        Ok(format!("<style>\n{css}</style>"))
+        let lines = css.lines().map(str::trim_end).filter(|line| !line.is_empty());
+        Ok(format!("<style>\n{}\n</style>", lines.collect::<Vec<_>>().join("\n")))
     })
 }
 
@@ -33,15 +35,16 @@ mod tests {
     use super::*;
 
     fn inline(html: &str) -> Result<String, StylesheetError> {
-        let css = "a { src: url(\"b.woff2\"); }\n";
+        let css =
+            "/* Two\n   lines. */\na { src: url(\"b.woff2\"); }\n\nb { top: 0; } /* A word. */\n";
         inline_stylesheets(html, &Files([("css/a.css".to_owned(), css.into())].into()))
     }
 
     #[test]
-    fn stylesheet_replaces_its_link() {
+    fn stylesheet_without_its_comments_replaces_its_link() {
         let html = inline("<link rel=\"stylesheet\" href=\"css/a.css\">text")
             .expect("the stylesheet exists");
-        assert_eq!(html, "<style>\na { src: url(\"css/b.woff2\"); }\n</style>text");
+        assert_eq!(html, "<style>\na { src: url(\"css/b.woff2\"); }\nb { top: 0; }\n</style>text");
     }
 
     #[test]
