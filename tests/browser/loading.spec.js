@@ -1,6 +1,6 @@
 // Pages report what doesn't work, and cope with unusual servers, addresses and media.
 import { expect, open, test } from './fixtures.js';
-import { picture } from './book.js';
+import { chapters, picture } from './book.js';
 import { POLICY, serve } from './server.js';
 
 const name = 'step01_rays.html';
@@ -37,6 +37,38 @@ test('without WebAssembly a figure says what is missing', async ({ page, home })
   const figure = await findFigure(page, home + name);
   await expect(figure.locator('.refused')).toHaveText(/no WebAssembly/);
 });
+
+for (const width of [390, 1440]) {
+  test(`fonts that load late hardly move the text at ${width} pixels`, async ({ page, home, browserName }) => {
+    test.skip(browserName !== 'chromium', 'only Chromium measures layout shifts');
+    test.setTimeout(180_000);
+    await page.setViewportSize({ width, height: 844 });
+    await page.addInitScript(() => {
+      window.shift = 0;
+      new PerformanceObserver(list => list.getEntries().forEach(({ value }) => { window.shift += value; })).observe({ type: 'layout-shift', buffered: true });
+    });
+    // The fonts that are held back, or null if none is any longer.
+    let held = [];
+    await page.route('**/*.woff2', route => held ? void held.push(route) : route.continue());
+    const names = process.env.THOROUGH ? chapters : ['how.html', 'problems.html', 'step02_practice.html', 'way_back_practice.html'];
+    for (const name of names) {
+      held = [];
+      // Until the fonts have arrived, the page isn't loaded.
+      await page.goto(home + name, { waitUntil: 'domcontentloaded' });
+      await page.locator('script[src$="search.js"]').waitFor({ state: 'attached' });
+      const hasFallbacks = await page.evaluate(() => new FontFace('Fallback', 'local("DejaVu Math TeX Gyre"), local("DejaVuMathTeXGyre-Regular")').load().then(() => true, () => false));
+      test.skip(!hasFallbacks, 'fonts.css scales the DejaVu fonts, and they are not installed');
+      await page.evaluate(() => new Promise(done => { setTimeout(() => requestAnimationFrame(done), 300); }));
+      expect(held.length).toBeGreaterThan(1);
+      const late = held;
+      held = null;
+      await Promise.all(late.map(route => route.continue()));
+      await page.evaluate(() => document.fonts.ready);
+      await page.evaluate(() => new Promise(done => { setTimeout(() => requestAnimationFrame(done), 200); }));
+      expect.soft(await page.evaluate(() => window.shift), name).toBeLessThan(0.05);
+    }
+  });
+}
 
 test('an address without .html marks its page', async ({ page, home }) => {
   const address = home + name.replace('.html', '');
