@@ -115,10 +115,12 @@ impl Control<'_> {
     fn html(&self) -> String {
         let Parameter { id, symbol, label, unit, range: [min, max], default, .. } = self.parameter;
         let step = self.parameter.step();
-        let range = format!("min=\"{min}\" max=\"{max}\" step=\"{step}\" value=\"{default}\"");
+        let range = format!("min=\"{min}\" max=\"{max}\" step=\"{step}\"");
         let name = escape_html(format!("{symbol} {label}").trim());
-        let slider = format!("<input type=\"range\" {range} aria-label=\"{name}\">");
-        let number = format!("<input type=\"number\" aria-label=\"{name}\" {range}>");
+        let slider =
+            format!("<input type=\"range\" {range} value=\"{default}\" aria-label=\"{name}\">");
+        // book/theme/figure.js makes a text field of it, whose limits and step the module knows.
+        let number = format!("<input type=\"number\" aria-label=\"{name}\" value=\"{default}\">");
         let label_element = label_html(symbol, label);
         let (class, content) = match self.parameter.kind {
             ParameterKind::Switch => {
