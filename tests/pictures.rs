@@ -7,7 +7,7 @@ use image::{Rgb, RgbImage};
 use insta::assert_binary_snapshot;
 use std::fs;
 use std::path::{Path, PathBuf};
-use support::{compare_pixels, locked_pictures};
+use support::{assert_picture_snapshot, locked_pictures};
 
 /// Defines one test per name.
 macro_rules! test_pictures {
@@ -15,7 +15,7 @@ macro_rules! test_pictures {
         $(
             #[test]
             fn $name() {
-                assert_locked_picture(stringify!($name));
+                draw_and_assert_snapshot(stringify!($name));
             }
         )*
     };
@@ -24,11 +24,11 @@ macro_rules! test_pictures {
 course::with_picture_names!(test_pictures);
 support::with_chapter_picture_names!(test_pictures);
 
-fn assert_locked_picture(name: &str) {
+fn draw_and_assert_snapshot(name: &str) {
     let pictures = locked_pictures();
     let picture = pictures.iter().find(|(picture_name, ..)| *picture_name == name);
     let (_, camera, draw) = picture.unwrap_or_else(|| panic!("no locked picture is called {name}"));
-    compare_pixels(name, &draw(camera, 1), |png| {
+    assert_picture_snapshot(name, &draw(camera, 1), |png| {
         assert_binary_snapshot!(&format!("{name}.png"), png);
     });
 }
@@ -61,7 +61,7 @@ fn files_below(folder: &Path) -> Vec<PathBuf> {
 /// snapshot whose name occurs nowhere in its crate can't belong to any test. To find all unused
 /// snapshots, run `cargo insta test --unreferenced=reject`.
 #[test]
-fn each_text_snapshot_has_its_name_in_its_crate() {
+fn name_of_each_text_snapshot_occurs_in_its_crate_source() {
     let (mut orphans, mut count) = (vec![], 0);
     for crate_folder in
         fs::read_dir(workspace().join("book/crates")).expect("the folder can be read").flatten()

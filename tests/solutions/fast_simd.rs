@@ -182,7 +182,11 @@ fn fast_draws_the_bytes_of_render_if_every_sphere_occurs_twice() {
         let pairs = scene.objects.iter().zip(scene.objects.iter().rev());
         let copies: Vec<_> = pairs.map(|(one, other)| one.with_material(other.material)).collect();
         scene.objects.extend(copies);
-        assert_fast_draws(&random_small_camera(random), 1 + random.index(3) as u32, &scene);
+        assert_fast_draws(
+            &small_camera_at_random_position(random),
+            1 + random.index(3) as u32,
+            &scene,
+        );
     });
 }
 
@@ -228,7 +232,7 @@ fn fast_draws_the_bytes_of_render_where_rounding_errors_are_larger_than_the_sphe
 #[test]
 fn fast_rounds_like_render() {
     test_law(400, |random| {
-        let camera = random_small_camera(random);
+        let camera = small_camera_at_random_position(random);
         let ray = camera.ray(random.index(37) as f64, random.index(7) as f64);
         let offset = 0.8 * random.number(0.2, 5.0) * random.unit_vector();
         let to_centre = 9.0 * ray.direction.normalize() + offset;
@@ -252,7 +256,7 @@ fn fast_rounds_like_render() {
 }
 
 /// A camera with few pixels, in any position.
-fn random_small_camera(random: &mut RandomInputs) -> Camera {
+fn small_camera_at_random_position(random: &mut RandomInputs) -> Camera {
     let roll = random.number(-3.0, 3.0);
     look_at(&camera_with_size(37, 7), random.point(), DVec3::NEG_Z, roll)
 }

@@ -5,7 +5,7 @@ use std::collections::HashSet;
 use support::primary_rays;
 
 #[test]
-fn spheres_of_a_named_scene_do_not_meet_and_no_ray_touches_one() {
+fn spheres_of_a_named_scene_do_not_overlap_and_no_ray_is_tangent_to_one() {
     for name in ["ada", "bob", ""] {
         let objects = generate_scene(name).objects;
         // Allow a small overlap: as in the course's scene, the numbers are rounded to two decimals,

@@ -17,7 +17,7 @@ fn gamma_is_applied_to_the_mean_of_the_samples() {
 }
 
 #[test]
-fn line_of_the_srgb_curve_leads_to_its_power() {
+fn linear_and_power_parts_of_the_srgb_curve_meet() {
     let [line, power] = [0.0031308, 0.0031309].map(gamma::srgb);
     assert!(line < power && power < line + 2e-6);
 }

@@ -71,7 +71,7 @@ fn refraction_obeys_snell_and_is_reversible() {
 /// The picture doesn't test total reflection, because a ray that enters a ball from outside is
 /// never totally reflected inside the ball.
 #[test]
-fn glass_mirrors_all_light_that_leaves_it_beyond_42_degrees() {
+fn glass_reflects_all_light_from_inside_beyond_42_degrees() {
     let scene = glass::glasses(1.5);
     let hit = Hit { t: 1.0, object: &scene.objects[0] };
     let point = SurfacePoint { hit, p: DVec3::new(0.0, 1.0, 0.0), n: DVec3::Y };

@@ -3,7 +3,7 @@
 use step02_sphere::{Roots, quadratic};
 
 #[test]
-fn first_hit_of_a_tangent_ray_is_the_one_root() {
+fn first_hit_of_a_tangent_ray_is_its_one_root_unless_negative() {
     assert_eq!(Roots::One(5.0).first_hit(), Some(5.0));
     assert_eq!(Roots::One(-5.0).first_hit(), None);
 }

@@ -1,10 +1,10 @@
 //! What the tests share: the list of locked pictures, the pixel comparison, and random inputs.
 
-mod compare_pixels;
 mod picture_list;
+mod picture_snapshot;
 mod random_inputs;
 
-pub use compare_pixels::compare_pixels;
 pub use course::{camera, primary_rays};
 pub use picture_list::{LockedPicture, locked_pictures};
+pub use picture_snapshot::assert_picture_snapshot;
 pub use random_inputs::{RandomInputs, test_law};

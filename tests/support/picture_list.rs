@@ -1,7 +1,7 @@
 //! The list of locked pictures.
 
 use course::examples::{checkerboard::colour as floor, mirror, terms};
-use course::{DrawPicture, camera, camera_with_size, colour_without_gate};
+use course::{DrawPicture, camera, camera_with_size, colour_without_highlight_gate};
 use glam::{DMat3, DVec3};
 use image::RgbImage;
 use image::imageops::{FilterType, resize};
@@ -36,7 +36,7 @@ macro_rules! chapter_pictures {
 
 chapter_pictures! {
     $
-    slide_matrix: slide_camera(), step05_phong::picture;
+    slide_matrix: camera_with_slide_matrix(), step05_phong::picture;
     step05_ambient: camera(), |camera, _| terms::picture(camera, |phong| phong.ambient);
     step05_diffuse: camera(), |camera, _| terms::picture(camera, |phong| phong.diffuse);
     step05_specular: camera(), |camera, _| terms::picture(camera, |phong| phong.specular);
@@ -44,10 +44,10 @@ chapter_pictures! {
     sixteen_rays: checkerboard_detail_camera(), |camera, _| enlarge(render(camera, 4, floor));
     open_gate: gate_detail_camera(), |camera, _| {
         let scene = scene();
-        enlarge(render(camera, 1, |ray| colour_without_gate(&scene, ray)))
+        enlarge(render(camera, 1, |ray| colour_without_highlight_gate(&scene, ray)))
     };
     shut_gate: gate_detail_camera(), |camera, _| enlarge(picture(camera, 1));
-    speckled: camera_with_literal_tan(), |camera, _| draw_mirrors_without_reflections(camera, 0.0);
+    speckled: camera_with_hard_coded_tangent(), |camera, _| draw_mirrors_without_reflections(camera, 0.0);
     shadowed: camera(), |camera, _| draw_mirrors_without_reflections(camera, mirror::OFFSET);
     close_up: white_sphere_detail_camera(), |camera, _| mirror::picture(camera, 2);
     cover: camera_with_size(1280, 720), |camera, _| step05_phong::picture(camera, 4);
@@ -56,7 +56,7 @@ chapter_pictures! {
 
 /// The course's camera, but with the matrix exactly as it is on the slide "A Basic 3D Camera
 /// Matrix".
-fn slide_camera() -> Camera {
+fn camera_with_slide_matrix() -> Camera {
     let mut camera = camera();
     let tan = -camera.matrix.z_axis.x;
     let upright = f64::from(camera.v_res) * tan / f64::from(camera.h_res - 1);
@@ -83,7 +83,7 @@ fn white_sphere_detail_camera() -> Camera {
 
 /// The course's camera, with the tangent as a literal. A picture drawn with this camera shows
 /// rounding errors, and a computed tangent might be rounded differently on another machine.
-fn camera_with_literal_tan() -> Camera {
+fn camera_with_hard_coded_tangent() -> Camera {
     const TAN_30: f64 = 0.577_350_269_189_625_7;
     let d = 2.0 * TAN_30 / 639.0;
     let matrix = DMat3::from_cols(

@@ -42,7 +42,7 @@ fn build_book_once_per_run() -> Result<Site> {
 }
 
 /// Reads all files in a folder of the workspace.
-pub fn read_folder(folder: &str) -> Files {
+pub fn read_workspace_folder(folder: &str) -> Files {
     let files = Files::read(&workspace().join(folder));
     files.unwrap_or_else(|error| panic!("{folder}: {error}"))
 }

@@ -2,7 +2,7 @@
 //! the old name behind in the text.
 
 use super::assert_no_faults;
-use super::built_book::read_folder;
+use super::built_book::read_workspace_folder;
 use super::source_listings::SOURCE_FILES;
 use std::collections::HashSet;
 
@@ -90,10 +90,10 @@ impl<'a> SourceNames<'a> {
 }
 
 /// Describes what is wrong with the names in a code span, in one sentence per fault.
-fn faults_in_code(code: &str, source: &SourceNames) -> Vec<String> {
+fn describe_name_faults(code_span: &str, source: &SourceNames) -> Vec<String> {
     let mut faults = vec![];
     for (before, word, after) in
-        words_with_surroundings(code).filter(|(b, word, a)| must_be_name(b, word, a))
+        words_with_surroundings(code_span).filter(|(b, word, a)| must_be_name(b, word, a))
     {
         if !source.words.contains(word) {
             faults.push(format!("`{word}` is not in the code"));
@@ -108,8 +108,8 @@ fn faults_in_code(code: &str, source: &SourceNames) -> Vec<String> {
             faults.push(format!("`{owner}::{word}` is not in the code"));
         }
     }
-    if code.ends_with(".rs") && !code.contains(' ') && !source.has_file(code) {
-        faults.push(format!("there is no file `{code}`"));
+    if code_span.ends_with(".rs") && !code_span.contains(' ') && !source.has_file(code_span) {
+        faults.push(format!("there is no file `{code_span}`"));
     }
     faults
 }
@@ -119,7 +119,7 @@ fn names_in_the_text_are_names_of_the_code() {
     let files = reader_code_without_comments();
     let source = SourceNames::in_files(&files);
     let mut faults = vec![];
-    for (path, text) in read_folder("book/src").texts_with_suffix(".md") {
+    for (path, text) in read_workspace_folder("book/src").texts_with_suffix(".md") {
         let mut is_listing = false;
         for (line, number) in text.lines().zip(1..) {
             is_listing ^= line.starts_with("```");
@@ -128,7 +128,7 @@ fn names_in_the_text_are_names_of_the_code() {
             }
             let codes = line.split('`').skip(1).step_by(2);
             let mut line_faults: Vec<_> =
-                codes.flat_map(|code| faults_in_code(code, &source)).collect();
+                codes.flat_map(|code| describe_name_faults(code, &source)).collect();
             let test = line.strip_prefix("{{#by-hand ").and_then(|line| line.strip_suffix("}}"));
             if let Some(test) = test.filter(|test| !source.called.contains(test)) {
                 line_faults.push(format!("there is no test `{test}`"));
@@ -148,10 +148,10 @@ fn name_that_a_rename_left_behind_is_a_fault() {
     let source = SourceNames::in_files(&files);
     for right in ["Ray", "Ray::at", "at(t)", "ray.at(2.0)", "hits", "ray.rs", "src/ray.rs", "2 + x"]
     {
-        assert_eq!(faults_in_code(right, &source), [""; 0], "{right}");
+        assert_eq!(describe_name_faults(right, &source), [""; 0], "{right}");
     }
     for wrong in ["Beam", "point", "Ray::point", "hits(ray)", "Ray::hits_of", "at::Ray", "hits.rs"]
     {
-        assert_ne!(faults_in_code(wrong, &source), [""; 0], "{wrong}");
+        assert_ne!(describe_name_faults(wrong, &source), [""; 0], "{wrong}");
     }
 }

@@ -2,7 +2,7 @@
 //! stop. The *state* of a crate is the part of it that the reader has typed so far.
 
 use super::built_book::built_book;
-use super::page_items::{PageItem, TypedFiles, page_items};
+use super::page_items::{PageItem, TypedFiles, headings_listings_and_commands};
 use super::reader_workspace::{ReaderWorkspace, pages_of_step};
 use anyhow::{Result, ensure};
 use course::{Step, crate_as_module};
@@ -28,7 +28,7 @@ fn crates_compile_at_each_heading_and_command() -> Result<()> {
     let book = built_book();
     for step in Step::NAMES {
         let (mut files, mut is_new) = (TypedFiles::new(), false);
-        for item in pages_of_step(book, step).flat_map(page_items) {
+        for item in pages_of_step(book, step).flat_map(headings_listings_and_commands) {
             if let PageItem::Listing(path, code) = item {
                 let file = path.strip_prefix(&format!("steps/{step}/src/"));
                 if let Some(file) = file.filter(|file| *file != "main.rs") {
@@ -50,7 +50,7 @@ fn crates_compile_at_each_heading_and_command() -> Result<()> {
     assert!(modules.lines().count() >= 20);
     reader.write_if_changed("steps/states/Cargo.toml", STATES_MANIFEST)?;
     reader.write_if_changed("steps/states/src/lib.rs", &modules)?;
-    let (code, text) = reader.run(&["cargo", "build", "-p", "states"], "0")?;
+    let (code, text) = reader.run_command(&["cargo", "build", "-p", "states"], "0")?;
     ensure!(code == Some(0), "{text}");
     Ok(())
 }

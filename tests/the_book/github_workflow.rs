@@ -5,7 +5,7 @@
 
 use super::built_book::built_book;
 use super::page_items::typed_files;
-use super::reader_workspace::{folder_command, pages_of_step};
+use super::reader_workspace::{command_in_reader_folder, pages_of_step};
 use anyhow::{Result, ensure};
 use course::{locked_picture_path, target_folder, workspace};
 use std::path::Path;
@@ -49,7 +49,7 @@ fn job_commands_without_rustup(job: &str) -> Vec<JobCommand> {
 fn run_bash(folder: &Path, command: &str, variables: &[(&str, &str)]) -> Result<String> {
     let manifest = format!("--manifest-path '{}'/", workspace().display());
     let lines = command.replace("--manifest-path course/", &manifest);
-    let mut shell = folder_command(folder, &["bash", "-eo", "pipefail", "-c", &lines]);
+    let mut shell = command_in_reader_folder(folder, &["bash", "-eo", "pipefail", "-c", &lines]);
     shell.env("GITHUB_STEP_SUMMARY", folder.join("summary.md"));
     shell.env("GITHUB_OUTPUT", folder.join("output.txt"));
     shell.envs(variables.iter().copied());
@@ -71,7 +71,7 @@ const COMMIT: &str = "git add --all && \
     git -c user.name=Ada -c user.email=ada@example.org commit --quiet --message=work";
 
 /// Creates a student's repository in `folder` from the template, with one commit.
-fn create_repository(folder: &Path) -> Result<()> {
+fn create_student_repository(folder: &Path) -> Result<()> {
     fs::create_dir_all(folder)?;
     let course = workspace();
     let copy = "cp -R \"$COURSE\"/book/reader/. \"$COURSE\"/Cargo.lock .";
@@ -136,7 +136,7 @@ fn run_workflow(folder: &Path, required: &str) -> Result<String> {
 
 /// Renames a folder in which the crate `locked` has been compiled, runs that crate's tests, and
 /// renames the folder back.
-fn test_renamed_folder(folder: &Path) -> Result<()> {
+fn test_locked_crate_in_renamed_folder(folder: &Path) -> Result<()> {
     let renamed = folder.with_file_name("renamed");
     fs::rename(folder, &renamed)?;
     run_bash(&renamed, "cargo test -p locked", &[])?;
@@ -145,7 +145,7 @@ fn test_renamed_folder(folder: &Path) -> Result<()> {
 }
 
 #[test]
-fn grading_has_nothing_of_the_student_but_pictures() {
+fn grade_job_gets_nothing_from_the_student_but_pictures() {
     let grade = job_text("grade");
     for word in ["path: student", "cache@", "github.event", "by_hand"] {
         assert!(!grade.contains(word), "the job \"grade\" contains {word}");
@@ -161,13 +161,13 @@ fn grading_has_nothing_of_the_student_but_pictures() {
 fn workflow_passes_only_if_a_program_draws_the_picture() -> Result<()> {
     let class = env::temp_dir().join(format!("class-{}", process::id()));
     let folder = class.join("ada");
-    create_repository(&folder)?;
+    create_student_repository(&folder)?;
     let text = run_workflow(&folder, "step01_rays,step02_sphere")?;
     assert!(text.contains("No step is there yet"), "{text}");
     type_first_step(&folder)?;
     run_bash(&folder, "INSTA_UPDATE=always cargo test -p locked", &[])?;
     run_bash(&folder, COMMIT, &[])?;
-    test_renamed_folder(&folder)?;
+    test_locked_crate_in_renamed_folder(&folder)?;
     let text = run_workflow(&folder, "step01_rays")?;
     assert!(text.contains("::Points 1/1\n"), "{text}");
     assert!(text.contains("test result: ok"), "{text}");

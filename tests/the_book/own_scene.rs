@@ -1,7 +1,7 @@
 //! Tests the Rust program that the page "A scene of your own" writes for a reader's scene: it has
 //! to draw the same picture as the page.
 
-use super::built_book::read_folder;
+use super::built_book::read_workspace_folder;
 use super::reader_workspace::ReaderWorkspace;
 use course::describe_difference;
 use figures::{COLUMNS, Content, EditableScene, Figure, find_figure, parse_address};
@@ -17,7 +17,7 @@ const ADDRESSES: [&str; 5] = [
     "the-way-back-shadows-and-mirrors:1,camera-position-upwards:3.5,camera-roll:-20",
 ];
 
-fn find_scene() -> (&'static Figure, &'static EditableScene) {
+fn own_scene_figure() -> (&'static Figure, &'static EditableScene) {
     let figure = find_figure("own_scene").expect("the figure exists");
     (figure, figure.editable_scene.as_ref().expect("its scene is editable"))
 }
@@ -27,9 +27,9 @@ fn find_scene() -> (&'static Figure, &'static EditableScene) {
 /// have to be the same.
 #[test]
 fn program_of_the_unchanged_scene_is_the_example() {
-    let (figure, scene) = find_scene();
+    let (figure, scene) = own_scene_figure();
     let program = (scene.program)(&figure.default_values());
-    let examples = read_folder("steps/step05_phong/examples");
+    let examples = read_workspace_folder("steps/step05_phong/examples");
     let example = examples.text("own_scene.rs").expect("the example exists");
     let different = program.lines().zip(example.lines()).find(|(line, other)| line != other);
     assert_eq!(different, None, "a line of the program differs from that in examples/own_scene.rs");
@@ -38,7 +38,7 @@ fn program_of_the_unchanged_scene_is_the_example() {
 #[test]
 #[ignore = "takes a minute: cargo test -- --include-ignored"]
 fn program_of_a_scene_draws_its_picture() {
-    let ((figure, scene), reader) = (find_scene(), ReaderWorkspace::with_typed_book());
+    let ((figure, scene), reader) = (own_scene_figure(), ReaderWorkspace::with_typed_book());
     let Content::Picture { draw } = figure.content else { panic!("the figure is not a picture") };
     for address in ADDRESSES {
         let values = parse_address(figure, address).expect("the address is valid");
@@ -54,7 +54,7 @@ fn assert_program_draws(reader: &ReaderWorkspace, program: &str, picture: &RgbIm
     let (_, example) = command.rsplit_once(' ').expect("the command ends with a name");
     let path = format!("steps/step05_phong/examples/{example}.rs");
     reader.write_if_changed(&path, program).expect("the file can be written");
-    let (code, text) = reader.run(&["bash", "-c", command], "1").expect("bash can be run");
+    let (code, text) = reader.run_command(&["bash", "-c", command], "1").expect("bash can be run");
     assert!(code == Some(0) && !text.contains("warning"), "{text} in {program}");
     let program_picture = image::open(reader.folder.join(format!("{example}.png")))
         .expect("the program has drawn a picture");

@@ -9,7 +9,7 @@ pub type TypedFiles<'a> = BTreeMap<&'a str, String>;
 /// Joins all listings on these pages into files, as a reader does by typing them.
 pub fn typed_files<'a>(pages: impl IntoIterator<Item = &'a Page>) -> TypedFiles<'a> {
     let mut typed = TypedFiles::new();
-    for item in pages.into_iter().flat_map(page_items) {
+    for item in pages.into_iter().flat_map(headings_listings_and_commands) {
         if let PageItem::Listing(path, code) = item {
             *typed.entry(path).or_default() += &code;
         }
@@ -40,7 +40,7 @@ pub struct PageCommand {
 
 /// Returns the headings, listings and commands on a page, from top to bottom. Leaves out commands
 /// that are meant for our own folder.
-pub fn page_items(page: &Page) -> Vec<PageItem<'_>> {
+pub fn headings_listings_and_commands(page: &Page) -> Vec<PageItem<'_>> {
     let mut items = vec![];
     for element in &page.elements {
         let console = element.attr("data-folder").and_then(ConsoleKind::from_data_folder);

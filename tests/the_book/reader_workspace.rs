@@ -38,11 +38,11 @@ impl ReaderWorkspace {
     pub fn with_typed_book() -> Self {
         let (book, reader) = (built_book(), Self::open());
         let typed = typed_files(book.pages_in_order());
-        reader.write_files(&typed).expect("the files can be written");
+        reader.write_files_and_cargo_lock(&typed).expect("the files can be written");
         reader
     }
 
-    pub fn write_files(&self, typed: &TypedFiles) -> Result<()> {
+    pub fn write_files_and_cargo_lock(&self, typed: &TypedFiles) -> Result<()> {
         for (path, text) in typed {
             self.write_if_changed(path, text)?;
         }
@@ -76,11 +76,15 @@ impl ReaderWorkspace {
         self.write_if_changed("Cargo.toml", &expanded)
     }
 
-    /// Runs a command, given as its words, with this optimisation level. Returns the command's exit
-    /// code and what the command prints.
-    pub fn run(&self, words: &[&str], opt_level: &str) -> Result<(Option<i32>, String)> {
+    /// Runs a command with this optimisation level. Returns the command's exit code and what the
+    /// command prints.
+    pub fn run_command(
+        &self,
+        program_and_arguments: &[&str],
+        opt_level: &str,
+    ) -> Result<(Option<i32>, String)> {
         self.list_members_in_manifest()?;
-        let mut command = folder_command(&self.folder, words);
+        let mut command = command_in_reader_folder(&self.folder, program_and_arguments);
         command.env("CARGO_TARGET_DIR", "target").env("CARGO_PROFILE_DEV_OPT_LEVEL", opt_level);
         let Output { status, stdout, stderr } = command.output()?;
         let text = String::from_utf8_lossy(&[stderr, stdout].concat()).into_owned();
@@ -88,10 +92,10 @@ impl ReaderWorkspace {
     }
 }
 
-/// Prepares a command, given as its words, to run in a reader's folder.
-pub fn folder_command(folder: &Path, words: &[&str]) -> Command {
-    let mut command = Command::new(words[0]);
-    command.args(&words[1..]).current_dir(folder);
+/// Prepares a command to run in a reader's folder.
+pub fn command_in_reader_folder(folder: &Path, program_and_arguments: &[&str]) -> Command {
+    let mut command = Command::new(program_and_arguments[0]);
+    command.args(&program_and_arguments[1..]).current_dir(folder);
     command.env("CARGO_NET_OFFLINE", "true").env("CARGO_TERM_QUIET", "true");
     // Share our build folder, in which the dependencies are already compiled with the same
     // settings. The reader's five crates have the same names as ours. So that they don't overwrite

@@ -1,7 +1,7 @@
 //! Tests that the book lists every line of every file of the five crates exactly once.
 
 use super::assert_no_faults;
-use super::built_book::{built_book, read_folder};
+use super::built_book::{built_book, read_workspace_folder};
 use super::page_items::typed_files;
 use builder::Files;
 use std::sync::LazyLock;
@@ -10,9 +10,9 @@ use std::sync::LazyLock;
 /// crates and their rustfmt settings), `book/reader` and `book/typed`.
 pub static SOURCE_FILES: LazyLock<Files> = LazyLock::new(|| {
     let in_workspace = |(path, bytes)| (format!("steps/{path}"), bytes);
-    let mut files = Files(read_folder("steps").0.into_iter().map(in_workspace).collect());
-    files.0.extend(read_folder("book/reader").0);
-    files.0.extend(read_folder("book/typed").0);
+    let mut files = Files(read_workspace_folder("steps").0.into_iter().map(in_workspace).collect());
+    files.0.extend(read_workspace_folder("book/reader").0);
+    files.0.extend(read_workspace_folder("book/typed").0);
     files
 });
 

@@ -3,7 +3,7 @@
 //! tests that every file is complete at the end.
 
 use super::built_book::built_book;
-use super::page_items::{PageCommand, PageItem, TypedFiles, page_items};
+use super::page_items::{PageCommand, PageItem, TypedFiles, headings_listings_and_commands};
 use super::reader_workspace::ReaderWorkspace;
 use anyhow::{Error, Result, ensure};
 use course::{PICTURES, describe_difference, locked_picture_path, read_locked_picture};
@@ -49,20 +49,20 @@ fn commands_do_what_their_pages_say() -> Result<()> {
     let _ = fs::remove_dir_all(reader.folder.join("steps"));
     let (mut typed, mut commands_for_later) = (TypedFiles::new(), vec![]);
     let mut drawn_names = BTreeSet::new();
-    for item in book.pages_in_order().into_iter().flat_map(page_items) {
+    for item in book.pages_in_order().into_iter().flat_map(headings_listings_and_commands) {
         match item {
             PageItem::Listing(path, code) => *typed.entry(path).or_default() += &code,
             PageItem::Command(command) if runs_unlisted_example(&command, &typed) => {
                 commands_for_later.push(command);
             }
             PageItem::Command(command) => {
-                reader.write_files(&typed)?;
+                reader.write_files_and_cargo_lock(&typed)?;
                 drawn_names.extend(run_and_list_verified_pictures(&reader, &command)?);
             }
             PageItem::Heading => {}
         }
     }
-    reader.write_files(&typed)?;
+    reader.write_files_and_cargo_lock(&typed)?;
     for command in commands_for_later {
         drawn_names.extend(run_and_list_verified_pictures(&reader, &command)?);
     }
@@ -101,7 +101,7 @@ fn run_and_list_verified_pictures(
     // A release build would take minutes, and so would a benchmark.
     let line = command.line.replace("cargo bench", "cargo build").replace(" --release", "");
     let location = format!("At {}, {}", command.location, command.line);
-    let (code, text) = reader.run(&["bash", "-c", &line], "1")?;
+    let (code, text) = reader.run_command(&["bash", "-c", &line], "1")?;
     ensure!(code == Some(command.exit_code), "{location}: {text}");
     let mut expected_parts = command.output.lines().flat_map(|line| line.split('…'));
     let missing = expected_parts.find(|part| !text.contains(part));

@@ -59,7 +59,7 @@ impl Sources {
         }
         for columns in COVER_COLUMNS {
             let camera = camera_with_size(columns, columns * 9 / 16);
-            let cover = Step::Phong.picture()(&camera, COVER_SAMPLES);
+            let cover = Step::Phong.draw_function()(&camera, COVER_SAMPLES);
             files.insert(cover_version_name("cover", columns), encode_png(&cover));
         }
         for name in WASM_MODULES {

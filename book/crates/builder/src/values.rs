@@ -10,7 +10,9 @@
 //! A figure computes all its numbers together. They are cached, since chapters use several of them.
 
 use crate::fault::{ChapterError, ChapterResult};
-use course::{camera, colour_without_gate, discriminant, largest_channel_difference, primary_rays};
+use course::{
+    camera, colour_without_highlight_gate, discriminant, largest_channel_difference, primary_rays,
+};
 use figures::{Figure, Readouts, format_count};
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
@@ -132,7 +134,7 @@ fn hit_indices(ray: &Ray) -> impl Iterator<Item = usize> {
 /// right picture. Returns the size of the change for each pixel that changes.
 fn pixel_changes_without_gate() -> Vec<usize> {
     let scene = scene();
-    let ungated = render(&camera(), 1, |ray| colour_without_gate(&scene, ray));
+    let ungated = render(&camera(), 1, |ray| colour_without_highlight_gate(&scene, ray));
     let picture = picture(&camera(), 1);
     let pairs = picture.pixels().zip(ungated.pixels());
     let changes = pairs.map(|(a, b)| usize::from(largest_channel_difference(a, b)));

@@ -180,7 +180,7 @@ fn describe_causes(causes: &[Cause], options: Option<&Options>) -> Vec<String> {
 /// Describes a listed mistake. Shows the diff unless it is too long. If the book shows the mistake,
 /// also says why it is wrong and which section to read.
 fn describe_mistake(mistake: &Mistake) -> Vec<String> {
-    let diff = mistake.old_and_new_lines();
+    let diff = mistake.format_as_diff();
     let mut lines: Vec<_> = diff.lines().map(|line| format!("  {line}")).collect();
     if lines.len() > MAX_DIFF_LINES {
         lines.clear();

@@ -18,8 +18,8 @@ fn reports_on_a_class_are_as_locked() {
     let flipped = |name| encode(image::imageops::flip_vertical(&crate::locked_picture(name)));
     let by_one = |i, j, [r, g, b]: [u8; 3]| [r - u8::from((i, j) == (320, 180)), g, b];
     let by_one = encode(map_locked("step02_sphere", by_one));
-    let wide = |step: Step| encode((step.picture())(&camera_with_fov(120.0, 640), 1));
-    let small = encode((Step::Sphere.picture())(&camera_with_size(320, 180), 1));
+    let wide = |step: Step| encode((step.draw_function())(&camera_with_fov(120.0, 640), 1));
+    let small = encode((Step::Sphere.draw_function())(&camera_with_size(320, 180), 1));
     write_files(
         &folder,
         [

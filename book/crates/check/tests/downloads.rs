@@ -70,7 +70,7 @@ fn submitted_files() -> SubmittedFiles {
         sphere: locked_file("step02_sphere"),
         flipped: encode(image::imageops::flip_vertical(&locked_picture("step01_rays"))),
         bgr: encode(map_locked("step02_sphere", |_, _, [r, g, b]| [b, g, r])),
-        small: encode((Step::Sphere.picture())(&camera_with_size(320, 180), 1)),
+        small: encode((Step::Sphere.draw_function())(&camera_with_size(320, 180), 1)),
         jpeg: b"\xff\xd8\xff\xe0\0\x10JFIF".to_vec(),
         text: b"text".to_vec(),
     }

@@ -123,7 +123,7 @@ fn other_kinds_of_png_are_as_locked() {
         ("one pixel is invisible", encode(invisible_pixel)),
         ("invisible and wrong", encode(DynamicImage::new_rgba8(640, 360))),
         ("1×1, grey and 16 bits", encode(one_grey)),
-        ("8192 columns", encode((Step::Sphere.picture())(&camera_with_size(8192, 32), 1))),
+        ("8192 columns", encode((Step::Sphere.draw_function())(&camera_with_size(8192, 32), 1))),
         ("1 column", encode(RgbImage::new(1, 1))),
     ];
     assert_locked("other_kinds_of_png", answers.map(|(title, file)| titled_answer(title, &file)));

@@ -11,7 +11,7 @@ use step01_rays::Camera;
 
 #[test]
 fn damaged_files_give_errors_without_panic() {
-    let undamaged = encode((Step::Rays.picture())(&camera_with_size(16, 9), 1));
+    let undamaged = encode((Step::Rays.draw_function())(&camera_with_size(16, 9), 1));
     let mut random = Rng::with_seed(0x5EED);
     for k in 0..300 {
         let mut file = undamaged.clone();
@@ -49,7 +49,7 @@ fn right_programs_with_options_are_blamed_for_nothing() {
         let (columns, rows) = (random.u32(16..200), random.u32(16..200));
         let camera = Camera::new(columns, rows, fov_degrees.to_radians());
         let samples = random.u32(1..=4);
-        let answer = check(step.picture()(&camera, samples), step.name());
+        let answer = check(step.draw_function()(&camera, samples), step.name());
         let options = format!("{step:?} {columns}×{rows} {fov_degrees}° {samples}: {answer}");
         assert_eq!(answer.verdict, Verdict::OtherOptions, "{options}");
         assert!(answer.causes.is_empty() && !answer.to_string().contains(".rs"), "{options}");
@@ -69,7 +69,7 @@ fn fields_of_view_are_found_despite_highlights_on_the_border() {
         (53.13, 1280, 720, 1),
     ] {
         let camera = Camera::new(columns, rows, f64::to_radians(fov_degrees));
-        let answer = check(step.picture()(&camera, samples), step.name());
+        let answer = check(step.draw_function()(&camera, samples), step.name());
         assert_eq!(answer.verdict, Verdict::OtherOptions, "{fov_degrees}°: {answer}");
         let options = format!("{fov_degrees}° and {samples}×{samples} rays");
         assert!(answer.to_string().contains(&options), "{options}: {answer}");
@@ -106,7 +106,7 @@ fn difference_is_drawn_only_of_a_wrong_picture_of_the_right_size() {
         answer.compared_pictures,
         Some(ComparedPictures { yours: wrong, ours: ours.clone() })
     );
-    let other_options = step.picture()(&camera_with_fov(120.0, 640), 1);
+    let other_options = step.draw_function()(&camera_with_fov(120.0, 640), 1);
     let small = RgbImage::new(64, 36);
     for picture in [ours.clone(), other_options, small] {
         assert_eq!(check(picture, step.name()).draw_comparison(), None);

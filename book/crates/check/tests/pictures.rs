@@ -10,7 +10,7 @@ use crate::{
     map_locked,
 };
 use check::check_scene_png;
-use course::{Step, camera, colour_without_gate};
+use course::{Step, camera, colour_without_highlight_gate};
 use glam::DVec3;
 use image::imageops::{crop_imm, flip_horizontal, flip_vertical, rotate90, rotate180, rotate270};
 use image::{Rgb, RgbImage};
@@ -53,14 +53,14 @@ fn answers_about_whole_pictures_are_as_locked() {
     assert_rows_locked(
         "whole_pictures",
         [
-            ("100×75, 75.5°, 2", PHONG, (Step::Phong.picture())(&other_options, 2)),
-            ("33.333°", PHONG, (Step::Phong.picture())(&three_decimals, 1)),
-            ("5°", NEAREST, (Step::Nearest.picture())(&narrow, 1)),
-            ("4096×2304", RAYS, (Step::Rays.picture())(&large, 1)),
-            ("120°", PHONG, (Step::Phong.picture())(&twice_the_angle, 1)),
-            ("81.787°", NEAREST, (Step::Nearest.picture())(&listed_angle, 1)),
-            ("59.9696°", NEAREST, (Step::Nearest.picture())(&four_decimals, 1)),
-            ("150.12345°", PHONG, (Step::Phong.picture())(&wide, 1)),
+            ("100×75, 75.5°, 2", PHONG, (Step::Phong.draw_function())(&other_options, 2)),
+            ("33.333°", PHONG, (Step::Phong.draw_function())(&three_decimals, 1)),
+            ("5°", NEAREST, (Step::Nearest.draw_function())(&narrow, 1)),
+            ("4096×2304", RAYS, (Step::Rays.draw_function())(&large, 1)),
+            ("120°", PHONG, (Step::Phong.draw_function())(&twice_the_angle, 1)),
+            ("81.787°", NEAREST, (Step::Nearest.draw_function())(&listed_angle, 1)),
+            ("59.9696°", NEAREST, (Step::Nearest.draw_function())(&four_decimals, 1)),
+            ("150.12345°", PHONG, (Step::Phong.draw_function())(&wide, 1)),
             ("step 4", PHONG, locked_picture("step04_diffuse")),
             ("upside down", PHONG, flip_vertical(&ours)),
             ("mirrored", "depth", flip_horizontal(&depth)),
@@ -89,7 +89,7 @@ fn answers_about_wrong_scenes_and_cameras_are_as_locked() {
     high_camera.matrix.y_axis.y *= 1.07;
     let mut half_a_pixel = camera();
     half_a_pixel.matrix.z_axis -= 0.5 * (camera().matrix.x_axis + camera().matrix.y_axis);
-    let seen_by = Step::Nearest.picture();
+    let seen_by = Step::Nearest.draw_function();
     let mut wide = camera();
     wide.matrix.x_axis.x *= 639.0 / 640.0;
     let mut rounded_ratio = camera();
@@ -104,11 +104,11 @@ fn answers_about_wrong_scenes_and_cameras_are_as_locked() {
             ("3 objects", NEAREST, draw(|ray| step03_nearest::colour(&OBJECTS[..3], ray))),
             ("nearer", "step02_sphere", draw(|ray| step02_sphere::colour(&nearer, ray))),
             ("a higher camera", NEAREST, seen_by(&high_camera, 1)),
-            ("D_u by hRes", RAYS, (Step::Rays.picture())(&wide, 1)),
-            ("D_u by hRes", PHONG, (Step::Phong.picture())(&wide, 1)),
-            ("1.78 for 16:9", PHONG, (Step::Phong.picture())(&rounded_ratio, 1)),
-            ("1.78 for 16:9 in D_v, too", PHONG, (Step::Phong.picture())(&low_view, 1)),
-            ("a higher camera", PHONG, (Step::Phong.picture())(&high_camera, 1)),
+            ("D_u by hRes", RAYS, (Step::Rays.draw_function())(&wide, 1)),
+            ("D_u by hRes", PHONG, (Step::Phong.draw_function())(&wide, 1)),
+            ("1.78 for 16:9", PHONG, (Step::Phong.draw_function())(&rounded_ratio, 1)),
+            ("1.78 for 16:9 in D_v, too", PHONG, (Step::Phong.draw_function())(&low_view, 1)),
+            ("a higher camera", PHONG, (Step::Phong.draw_function())(&high_camera, 1)),
             ("half a pixel up and left", NEAREST, seen_by(&half_a_pixel, 1)),
         ],
     );
@@ -215,7 +215,7 @@ fn answers_about_named_scenes_are_as_locked() {
     let rows = [
         ("right", "ada", draw_scene_generated_from("ada")),
         ("different case", "Ada", draw_scene_generated_from("ada")),
-        ("no gate", "ada", draw(|ray| colour_without_gate(&ada, ray))),
+        ("no gate", "ada", draw(|ray| colour_without_highlight_gate(&ada, ray))),
         ("one number", "ada", draw(|ray| step05_phong::colour(&small_ball, ray))),
         ("the picture of step 5", "ada", locked_picture(PHONG)),
     ];

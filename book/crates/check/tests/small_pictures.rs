@@ -4,7 +4,7 @@
 
 use crate::{assert_locked, encode, format_answer};
 use check::check_png;
-use course::{Step, camera_with_size, find_picture};
+use course::{Step, camera_with_size, find_draw_function};
 use glam::DVec3;
 use image::imageops::{flip_horizontal, flip_vertical, rotate90, rotate180, rotate270};
 use image::{Rgb, RgbImage};
@@ -16,8 +16,8 @@ const ROWS: u32 = 36;
 
 /// Draws the right picture called `name`, at the small size.
 fn draw_small(name: &str) -> Result<RgbImage, String> {
-    let picture = find_picture(name).ok_or("no such picture")?;
-    Ok(picture(&camera_with_size(COLUMNS, ROWS), 1))
+    let draw = find_draw_function(name).ok_or("no such picture")?;
+    Ok(draw(&camera_with_size(COLUMNS, ROWS), 1))
 }
 
 fn draw_small_step(step: Step) -> RgbImage {

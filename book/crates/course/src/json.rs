@@ -39,7 +39,7 @@ mod tests {
     }
 
     #[test]
-    fn items_and_values_are_written_unchanged() {
+    fn items_of_a_list_and_values_of_an_object_are_written_unchanged() {
         assert_eq!(list([1.5, -2.0]), "[1.5,-2]");
         assert_eq!(list([""; 0]), "[]");
         let fields = [("a", list([1])), ("b \"c", quote("d"))];

@@ -23,14 +23,14 @@
 mod steps;
 pub use steps::{
     DrawPicture, FOV_DEGREES, PICTURE_COLUMNS, PICTURE_ROWS, PICTURES, Step, camera,
-    camera_with_fov, camera_with_size, colour_without_gate, discriminant, examples, find_picture,
-    primary_rays,
+    camera_with_fov, camera_with_size, colour_without_highlight_gate, discriminant, examples,
+    find_draw_function, primary_rays,
 };
 
 mod source_code;
 pub use source_code::{
     OccurrenceError, Place, PlaceNote, ValueType, all_listed_places, crate_as_module,
-    step_dependencies,
+    dependencies_of_step_copies,
 };
 
 mod mistakes;
@@ -39,7 +39,7 @@ pub use mistakes::{
     SMALL_SIZE, ShownMistake, TableError, TableRow, find_mistakes_with_hash,
     hashes_of_right_pictures, make_small_picture, mistake_table, mistake_texts, mistakes,
     mistakes_with_rows, names_of_right_pictures, parse_mistake_lists, provide_mistake_texts,
-    read_small_pictures, small_pictures_path,
+    read_small_pictures, small_pictures_file_path,
 };
 
 mod scenes;

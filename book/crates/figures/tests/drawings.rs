@@ -1,7 +1,7 @@
 //! Locks what a page shows and receives for each figure, as text. In the snapshots, each element of
 //! a drawing and each field of JSON has its own line.
 
-use course::{Step, find_picture};
+use course::{Step, find_draw_function};
 use figures::{
     COLUMNS, Content, FIGURES, Figure, FigureRequest, Parameter, ParameterValues, Reply, WIDTH,
     find_figure, format_address, parse_address, reply,
@@ -111,9 +111,9 @@ fn figure_draws_the_same_picture_as_its_program() {
         let figure = find_figure(name).expect("the figure exists");
         let values = parse_address(figure, address).expect("the address is valid");
         let Content::Picture { draw } = figure.content else { panic!("{name} is a drawing") };
-        let picture = find_picture(program).expect("the program draws a picture");
+        let draw_program = find_draw_function(program).expect("the program draws a picture");
         assert!(
-            draw(&values, COLUMNS) == picture(&course::camera(), 1),
+            draw(&values, COLUMNS) == draw_program(&course::camera(), 1),
             "{name} differs from {program}"
         );
     }

@@ -8,7 +8,7 @@ use figures::Reply;
 /// finds out which picture the file should show.
 pub fn check(file: &[u8], file_name: &str, picture: Option<&str>) -> Reply {
     let draw = |name: &str| {
-        let picture = course::find_picture(name).map(|picture| picture(&course::camera(), 1));
+        let picture = course::find_draw_function(name).map(|draw| draw(&course::camera(), 1));
         picture.ok_or_else(|| format!("nothing draws {name}"))
     };
     report(check_png(file, file_name, picture, draw))

@@ -4,7 +4,8 @@
 
 use crate::error::{XtaskError, XtaskResult};
 use course::{
-    Mistake, Step, cargo_command, crate_as_module, step_dependencies, target_folder, workspace,
+    Mistake, Step, cargo_command, crate_as_module, dependencies_of_step_copies, target_folder,
+    workspace,
 };
 use image::RgbImage;
 use std::fs;
@@ -90,7 +91,7 @@ fn picture_path_without_extension(k: usize, step: Step) -> String {
 /// the main file.
 fn write_package(mistakes: &[&Mistake]) -> XtaskResult<()> {
     let folder = generated_package_folder();
-    let manifest = MANIFEST.to_owned() + &step_dependencies();
+    let manifest = MANIFEST.to_owned() + &dependencies_of_step_copies();
     let (mut modules, mut pictures) = (String::new(), String::new());
     for (k, mistake) in mistakes.iter().enumerate() {
         modules += &format!("/// {}\nmod m{k} {{\n", title_and_file(mistake));

@@ -7,7 +7,7 @@ use crate::source_hash::{code_lines, hash_texts};
 use course::{
     Mistake, MistakePicture, MistakeTable, PICTURES, RightPicture, SMALL_SIZE, Step, TableRow,
     encode_png, hash_picture, make_small_picture, mistake_table, parse_mistake_lists,
-    read_locked_picture, read_small_pictures, small_pictures_path, workspace,
+    read_locked_picture, read_small_pictures, small_pictures_file_path, workspace,
 };
 use image::RgbImage;
 use image::imageops::replace;
@@ -145,7 +145,7 @@ impl DrawnMistakes {
             for ((_, picture), k) in pictures.into_iter().zip(0..) {
                 replace(&mut column, picture, 0, k * i64::from(rows));
             }
-            let path = small_pictures_path(&workspace(), step);
+            let path = small_pictures_file_path(&workspace(), step);
             if !image::open(&path).is_ok_and(|old| old.into_rgb8() == column) {
                 fs::write(&path, encode_png(&column)).map_err(XtaskError::of_file(&path))?;
             }

@@ -86,7 +86,7 @@ fn each_mistake_is_a_change_and_listed_once() {
                 "{title} has an empty text: {texts:?}"
             );
         }
-        let is_new = changes.insert((mistake.file.clone(), mistake.old_and_new_lines()));
+        let is_new = changes.insert((mistake.file.clone(), mistake.format_as_diff()));
         assert!(is_new, "{title} is listed twice");
     }
 }

@@ -246,7 +246,7 @@ impl Mistake {
 
     /// Formats the mistake as a diff: first the right code, with `- ` in front of each line, then
     /// the wrong code, with `+ ` in front of each line.
-    pub fn old_and_new_lines(&self) -> String {
+    pub fn format_as_diff(&self) -> String {
         let old = self.old.lines().map(|line| format!("- {line}"));
         let new = self.new.lines().map(|line| format!("+ {line}"));
         old.chain(new).collect::<Vec<_>>().join("\n")
@@ -256,7 +256,8 @@ impl Mistake {
     /// mistake. If the right code doesn't occur there exactly once, the error is the number of
     /// occurrences.
     pub fn apply_and_strip_indentation(&self, file_text: &str) -> Result<String, usize> {
-        let (file_text, old) = (strip_indentation(file_text), strip_indentation(&self.old));
+        let (file_text, old) =
+            (trim_start_of_each_line(file_text), trim_start_of_each_line(&self.old));
         match file_text.matches(&old).count() {
             1 => Ok(file_text.replace(&old, &self.new)),
             count => Err(count),
@@ -265,7 +266,7 @@ impl Mistake {
 }
 
 /// Removes the whitespace at the start of each line.
-fn strip_indentation(text: &str) -> String {
+fn trim_start_of_each_line(text: &str) -> String {
     let lines: Vec<_> = text.split('\n').map(str::trim_start).collect();
     lines.join("\n")
 }
@@ -274,7 +275,7 @@ fn strip_indentation(text: &str) -> String {
 mod tests {
     use super::*;
 
-    const LIST: &str = "# A comment.
+    const SAMPLE_LIST: &str = "# A comment.
 
 @ camera.rs
 
@@ -295,8 +296,9 @@ one that the book shows
 \" Everything is blue.
 ";
 
-    fn parse(step: Step) -> Vec<Mistake> {
-        parse_list(step, LIST).expect("the list is well-formed")
+    fn parse_sample_list(step: Step) -> [Mistake; 2] {
+        let mistakes = parse_list(step, SAMPLE_LIST).expect("the list is well-formed");
+        mistakes.try_into().expect("the list has two mistakes")
     }
 
     #[test]
@@ -327,7 +329,7 @@ one that the book shows
 
     #[test]
     fn block_is_a_mistake_of_the_file_above_it() {
-        let [short, long] = &parse(Step::Nearest)[..] else { panic!("the list has two mistakes") };
+        let [short, long] = parse_sample_list(Step::Nearest);
         assert_eq!(short.title, "a short one");
         assert_eq!(short.file, "steps/step03_nearest/src/camera.rs");
         assert_eq!(short.old, "let a = 1;\n    let b = 2;");
@@ -346,15 +348,15 @@ one that the book shows
 
     #[test]
     fn mistake_affects_its_step_and_the_later_ones() {
-        let [mistake, _] = &parse(Step::Diffuse)[..] else { panic!("the list has two mistakes") };
+        let [mistake, _] = parse_sample_list(Step::Diffuse);
         let steps: Vec<_> = mistake.affected_steps().collect();
         assert_eq!(steps, [Step::Diffuse, Step::Phong]);
     }
 
     #[test]
     fn mistake_is_applied_if_its_text_is_there_once() {
-        let [mistake, _] = &parse(Step::Rays)[..] else { panic!("the list has two mistakes") };
-        assert_eq!(mistake.old_and_new_lines(), "- let a = 1;\n-     let b = 2;\n+ let a = 2;");
+        let [mistake, _] = parse_sample_list(Step::Rays);
+        assert_eq!(mistake.format_as_diff(), "- let a = 1;\n-     let b = 2;\n+ let a = 2;");
         let once = "fn f() {\n    let a = 1;\n    let b = 2;\n}";
         assert_eq!(
             mistake.apply_and_strip_indentation(once).as_deref(),

@@ -11,6 +11,6 @@ pub use mistake::{
 pub use table::{
     MistakeTable, RightPicture, SMALL_SIZE, TableError, TableRow, find_mistakes_with_hash,
     hashes_of_right_pictures, make_small_picture, mistake_table, mistakes_with_rows,
-    names_of_right_pictures, read_small_pictures, small_pictures_path,
+    names_of_right_pictures, read_small_pictures, small_pictures_file_path,
 };
 pub use texts::{MistakeTexts, mistake_texts, provide_mistake_texts};

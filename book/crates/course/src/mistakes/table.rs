@@ -194,7 +194,7 @@ pub fn make_small_picture(picture: &RgbImage) -> RgbImage {
 }
 
 /// Returns the path of the file with the small pictures for a step.
-pub fn small_pictures_path(workspace: &Path, step: Step) -> PathBuf {
+pub fn small_pictures_file_path(workspace: &Path, step: Step) -> PathBuf {
     workspace.join(format!("book/crates/course/mistakes/{}.png", step.name()))
 }
 
@@ -206,7 +206,7 @@ pub fn read_small_pictures(
 ) -> ImageResult<Vec<(&'static str, RgbImage)>> {
     let right = mistake_table().right_pictures.iter().find(|right| right.name == step.name());
     let names = right.into_iter().flat_map(|right| right.small_pictures.iter().copied());
-    let file = fs::read(small_pictures_path(workspace, step))?;
+    let file = fs::read(small_pictures_file_path(workspace, step))?;
     let all = image::load_from_memory(&file)?.into_rgb8();
     let [columns, rows] = SMALL_SIZE;
     let tops = (0..all.height()).step_by(rows as usize);

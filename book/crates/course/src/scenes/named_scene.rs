@@ -10,8 +10,8 @@ use step05_phong::{Light, Material, Matte, OBJECTS, Scene, scene};
 const NAMES: [&str; OBJECTS.len()] =
     ["ball 1", "ground", "ball 2", "ball 3", "ball 4", "ball 5", "ball 6", "ball 7", "ball 8"];
 
-/// Generates the scene that belongs to `name`. It is the course's scene or its mirror image, with
-/// sizes, colours, highlights and lights chosen by a hash of the name.
+/// Generates the scene that belongs to a person's name. The scene is the course's or its mirror image,
+/// with sizes, colours, highlights and lights chosen by a hash of the name.
 ///
 /// Each ball is at most as large as its counterpart in the course, and has the same lowest point.
 /// So it lies inside that counterpart, and no two balls touch each other.
@@ -19,14 +19,14 @@ const NAMES: [&str; OBJECTS.len()] =
 /// Whitespace around the name is ignored, and any whitespace between two words counts as one space.
 /// The caller should convert the name to NFC, Unicode's composed form: in a different form, the
 /// same letters have different bytes, and so give a different scene.
-pub fn generate_scene(name: &str) -> Scene<Material, Light> {
-    let name = name.split_whitespace().collect::<Vec<_>>().join(" ");
+pub fn generate_scene(person_name: &str) -> Scene<Material, Light> {
+    let person_name = person_name.split_whitespace().collect::<Vec<_>>().join(" ");
     let mut choices = 0;
     let mut choose = |count: usize| {
         choices += 1;
         // FNV-1a does one round per byte. Four zeros at the end add four more rounds, which spread
         // the last letter across all bits.
-        let bytes = [choices].into_iter().chain(name.bytes()).chain([0; 4]);
+        let bytes = [choices].into_iter().chain(person_name.bytes()).chain([0; 4]);
         (fnv_1a(bytes) >> 32) as usize % count
     };
     let mut scene = scene();
@@ -64,8 +64,8 @@ mod tests {
     use super::*;
     use step05_phong::Sphere;
 
-    fn numbers_in_generated_scene(name: &str) -> Vec<f64> {
-        let Scene { objects, lights, .. } = generate_scene(name);
+    fn sphere_and_light_numbers_in_generated_scene(person_name: &str) -> Vec<f64> {
+        let Scene { objects, lights, .. } = generate_scene(person_name);
         let spheres = objects.iter().flat_map(|object| {
             let centre = object.sphere.centre.to_array();
             centre.into_iter().chain([object.sphere.radius, object.material.specular.x])
@@ -76,11 +76,15 @@ mod tests {
     }
 
     #[test]
-    fn scene_depends_on_the_name_but_not_on_its_blanks() {
-        let numbers = numbers_in_generated_scene("Ada Lovelace");
-        assert_eq!(numbers, numbers_in_generated_scene("  Ada   Lovelace "));
+    fn scene_depends_on_the_name_but_not_on_extra_whitespace() {
+        let numbers = sphere_and_light_numbers_in_generated_scene("Ada Lovelace");
+        assert_eq!(numbers, sphere_and_light_numbers_in_generated_scene("  Ada   Lovelace "));
         for other_name in ["Ada Lovelacf", "AdaLovelace"] {
-            assert_ne!(numbers, numbers_in_generated_scene(other_name), "{other_name}");
+            assert_ne!(
+                numbers,
+                sphere_and_light_numbers_in_generated_scene(other_name),
+                "{other_name}"
+            );
         }
     }
 

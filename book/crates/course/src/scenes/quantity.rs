@@ -235,7 +235,7 @@ pub static QUANTITIES: &[Quantity] = &[
         name: "the position",
         owner: Owner::Object,
         typed: Some(TypedRange { first_step: Step::Sphere, range: [-50, 50], steps_per_unit: 100 }),
-        scalars: &on_ground(
+        scalars: &with_ground_ranges(
             position(Property::Centre, [[-6.0, 6.0], [-3.0, 5.0], [-16.0, 6.0]]),
             [[-20.0, 20.0], [-60.0, 0.0], [-30.0, 10.0]],
         ),
@@ -244,7 +244,7 @@ pub static QUANTITIES: &[Quantity] = &[
         name: "the radius",
         owner: Owner::Object,
         typed: Some(TypedRange { first_step: Step::Sphere, range: [0, 60], steps_per_unit: 100 }),
-        scalars: &on_ground(
+        scalars: &with_ground_ranges(
             [scalar(Property::Radius, "r", "radius", [0.05, 3.0], 100.0)],
             [[10.0, 60.0]],
         ),
@@ -393,7 +393,10 @@ const fn with_axes([x, y, z]: [Scalar; 3]) -> [Scalar; 3] {
 }
 
 /// Sets the numbers' ranges for the ground.
-const fn on_ground<const N: usize>(mut scalars: [Scalar; N], ranges: [[f64; 2]; N]) -> [Scalar; N] {
+const fn with_ground_ranges<const N: usize>(
+    mut scalars: [Scalar; N],
+    ranges: [[f64; 2]; N],
+) -> [Scalar; N] {
     let mut k = 0;
     while k < N {
         scalars[k].ground_range = Some(ranges[k]);

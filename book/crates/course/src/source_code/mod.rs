@@ -3,9 +3,9 @@
 //! program that contains copies of the steps.
 
 mod crate_as_module;
+mod dependencies_of_step_copies;
 mod place;
-mod step_dependencies;
 mod step_of_place;
 pub use crate_as_module::crate_as_module;
+pub use dependencies_of_step_copies::dependencies_of_step_copies;
 pub use place::{OccurrenceError, Place, PlaceNote, ValueType, all_listed_places};
-pub use step_dependencies::step_dependencies;

@@ -270,10 +270,6 @@ a: f64 = v.dot(v)
 misses: bool = d < 0.0
 ";
 
-    fn fault(text: &'static str) -> String {
-        parse_places(text).expect_err("the list is malformed").to_string()
-    }
-
     #[test]
     fn list_is_parsed() {
         let places = parse_places(LIST).expect("the list is well-formed");
@@ -288,12 +284,17 @@ misses: bool = d < 0.0
 
     #[test]
     fn fault_in_the_list_names_its_line() {
-        assert_eq!(fault("\na: f64 = 1.0"), "line 2: a place needs a line `@ FILE` above it");
-        assert_eq!(fault("@ x\n    f64 a"), "line 2: an indented line needs a place above it");
-        assert_eq!(fault("@ x\na: f64"), "line 2: a place is `NAME: TYPE = CODE`");
-        assert_eq!(fault("@ x\na: f32 = 1.0"), "line 2: a value can't have the type `f32` here");
-        assert_eq!(fault("@ x\na: f64 = b\n  f64"), "line 3: a type needs names after it");
-        assert_eq!(fault("@ x\na: f64 = b\n  note: c"), "line 3: there is no note `c`");
+        for (list, message) in [
+            ("\na: f64 = 1.0", "line 2: a place needs a line `@ FILE` above it"),
+            ("@ x\n    f64 a", "line 2: an indented line needs a place above it"),
+            ("@ x\na: f64", "line 2: a place is `NAME: TYPE = CODE`"),
+            ("@ x\na: f32 = 1.0", "line 2: a value can't have the type `f32` here"),
+            ("@ x\na: f64 = b\n  f64", "line 3: a type needs names after it"),
+            ("@ x\na: f64 = b\n  note: c", "line 3: there is no note `c`"),
+        ] {
+            let error = parse_places(list).expect_err("the list is malformed");
+            assert_eq!(error.to_string(), message);
+        }
     }
 
     #[test]

@@ -94,13 +94,13 @@ examples! {
 }
 
 /// Finds the function that draws the picture of the step or example with this name.
-pub fn find_picture(name: &str) -> Option<DrawPicture> {
+pub fn find_draw_function(name: &str) -> Option<DrawPicture> {
     PICTURES.iter().find(|(known, _)| *known == name).map(|(_, draw)| *draw)
 }
 
 impl Step {
     /// The function that draws this step's picture.
-    pub fn picture(self) -> DrawPicture {
+    pub fn draw_function(self) -> DrawPicture {
         PICTURES[self as usize].1
     }
 }

@@ -2,16 +2,16 @@
 //! and the steps' examples as a library.
 
 mod camera;
-mod colour_without_gate;
+mod colour_without_highlight_gate;
 mod discriminant;
 mod step;
 pub use camera::{
     FOV_DEGREES, PICTURE_COLUMNS, PICTURE_ROWS, camera, camera_with_fov, camera_with_size,
     primary_rays,
 };
-pub use colour_without_gate::colour_without_gate;
+pub use colour_without_highlight_gate::colour_without_highlight_gate;
 pub use discriminant::discriminant;
 pub use step::Step;
 
 pub mod examples;
-pub use examples::{DrawPicture, PICTURES, find_picture};
+pub use examples::{DrawPicture, PICTURES, find_draw_function};

@@ -3,7 +3,7 @@
 
 use crate::lines::cure_line;
 use course::{
-    Place, Step, all_listed_places, cargo_command, crate_as_module, step_dependencies,
+    Place, Step, all_listed_places, cargo_command, crate_as_module, dependencies_of_step_copies,
     target_folder, workspace,
 };
 use page::expressions::{compile_line, draw_step_of_first_line};
@@ -74,7 +74,7 @@ fn write_step(source_folder: &Path, place: &Place, text: &str, module: &str) {
 fn accepted_lines_draw_the_same_picture_in_their_steps() {
     let folder = target_folder().join("lines");
     let _ = fs::remove_dir_all(folder.join("src"));
-    let manifest = MANIFEST.to_owned() + &step_dependencies();
+    let manifest = MANIFEST.to_owned() + &dependencies_of_step_copies();
     let (mut modules, mut calls) = (String::new(), String::new());
     let lines = accepted_lines_with_hashes();
     for (index, (place, text, _)) in lines.iter().enumerate() {

@@ -10,13 +10,13 @@ use insta::Settings;
 use std::fs;
 use std::path::PathBuf;
 
-/// Compares `picture` with the locked picture `name`, pixel by pixel. `assert` receives a PNG file
+/// Compares `picture` with the locked picture `name`, pixel by pixel. `assert_png` receives a PNG file
 /// and hands it to insta. If all pixels are equal, the PNG file is the locked file itself, because
 /// a different version of the encoder might write different bytes for the same pixels.
 ///
 /// If any pixels differ, first prints a sentence that describes the difference, and the command
 /// that accepts the new picture. Also saves a comparison of both pictures in the target folder.
-pub fn compare_pixels(name: &str, picture: &RgbImage, assert: impl FnOnce(Vec<u8>)) {
+pub fn assert_picture_snapshot(name: &str, picture: &RgbImage, assert_png: impl FnOnce(Vec<u8>)) {
     let mut settings = Settings::clone_current();
     settings.set_prepend_module_to_snapshot(false);
     settings.set_omit_expression(true);
@@ -39,7 +39,7 @@ pub fn compare_pixels(name: &str, picture: &RgbImage, assert: impl FnOnce(Vec<u8
     }
     let locked_png = fs::read(locked_picture_path(name)).ok();
     let png = locked_png.filter(|_| mismatch.is_none()).unwrap_or_else(|| encode_png(picture));
-    settings.bind(|| assert(png));
+    settings.bind(|| assert_png(png));
     if update == SnapshotUpdate::InPlace {
         // A failed test leaves two files for review. When insta accepts the picture, it deletes
         // only one of them.
