@@ -24,6 +24,7 @@ macro_rules! test_pictures {
 course::with_picture_names!(test_pictures);
 support::with_chapter_picture_names!(test_pictures);
 
+/// Draws the locked picture called `name`, and compares it with its snapshot.
 fn draw_and_assert_snapshot(name: &str) {
     let pictures = locked_pictures();
     let picture = pictures.iter().find(|(picture_name, ..)| *picture_name == name);

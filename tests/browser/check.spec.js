@@ -15,15 +15,15 @@ for (const [name, asked] of forms.filter(([, , k]) => k === 0)) {
       await input.setInputFiles({ name: `${right}.png`, mimeType: 'image/png', buffer: picture(given) });
       await expect(output).toHaveText(words, { timeout: 20_000 });
     }
-    // If the picture is a step's, that step has a tick in the contents, now and after the page is
-    // opened again.
+    // If the picture belongs to a step, that step has a tick in the contents, now and after the
+    // page is opened again.
     const tick = page.locator(`#contents a[href="${right}.html"] .tick`);
     for (const look of [() => {}, () => open(page, home + name)]) {
       await look();
       await expect(tick).toHaveCount(right.startsWith('step') ? 1 : 0);
     }
-    // A click has to empty the field. Otherwise, the browser wouldn't report that the same file is
-    // chosen again.
+    // A click has to empty the field. Otherwise, if the reader chose the same file again, the
+    // browser wouldn't report it.
     await input.dispatchEvent('click');
     await expect(input).toHaveValue('');
     // A file that is dropped beside the forms goes to the nearest form, which is the first form

@@ -1,5 +1,4 @@
-// At first, every figure looks as printed. Its handles and controls change it, and Reset restores
-// it.
+// Handles and controls change a figure. Reset restores the figure's initial look.
 import { figures } from './book.js';
 import { expect, makeReady, open, readPixels, test } from './fixtures.js';
 
@@ -12,8 +11,8 @@ test('a handle goes to its ends, and says nothing there', async ({ page, home })
   const position = () => handle.evaluate(one => Number(one.getAttribute('aria-valuenow')));
   await expect(figure.locator('[data-parameter=the-start-S-x] [type=text]')).not.toHaveAttribute('inputmode');
   const [first, refused] = [await position(), figure.locator('.refused')];
-  // When the ray moves to the right, its tip reaches the figure's border before its start reaches
-  // the end of the start's range.
+  // End moves S as far as possible, but not to the maximum of 7: before that, the ray's tip reaches
+  // the figure's border.
   for (const [key, is] of [['Home', x => x === -2], ['End', x => first < x && x < 7]]) {
     await page.keyboard.press(key);
     expect(is(await position()), `${key} goes to ${await position()}`).toBe(true);
@@ -33,7 +32,7 @@ test('a typed number that a figure cannot use is explained', async ({ page, home
     await field.fill(text);
     await expect(figure.locator('.refused')).toHaveText(words);
   }
-  // If a finger touches a slider while it scrolls the page, the slider keeps its value.
+  // If a finger that scrolls the page touches a slider, the slider keeps its value.
   const slider = figure.getByRole('slider', { name: 'a of your curve' });
   const value = await slider.inputValue();
   await slider.dispatchEvent('pointerdown');
@@ -108,7 +107,8 @@ test('labels of drawings do not overlap at any limit, and no handle covers one',
 for (const [name, figure, k] of figures) {
   test(`${name}: the figure ${figure}, number ${k + 1} there, is interactive`, { tag: k ? '@thorough' : [] }, async ({ page, home }) => {
     await open(page, home + name);
-    page.on('dialog', dialog => dialog.accept()); // On "A scene of your own", Reset asks first.
+    // On "A scene of your own", Reset asks for confirmation.
+    page.on('dialog', dialog => dialog.accept());
     const root = page.locator('figure[data-live]').nth(k);
     await makeReady(root);
 

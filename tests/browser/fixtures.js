@@ -1,8 +1,8 @@
 // Playwright's `test`, with two fixtures:
 //
 // - `home` is the address of the book.
-// - `page` fails the test if it asks for anything outside the book, if the browser reports an
-//   error, or if the policy forbids something.
+// - `page` is a page of a browser. The test fails if the page asks for anything outside the book,
+//   if the browser reports an error, or if the policy forbids something.
 import { test as base, expect } from '@playwright/test';
 import { pathToFileURL } from 'node:url';
 import { folder } from './book.js';

@@ -97,8 +97,8 @@ test('a prompt is not copied', async ({ page, home }) => {
   expect(copied).toMatch(/^cargo/);
 });
 
-// Runs a test on a page that is served with this policy. The browser may report errors, so this
-// isn't the fixture's page, which would fail the test.
+// Runs a test on a page that is served with this policy. The browser may report errors under the
+// policy. So this function makes its own page: the fixture's page would fail the test.
 async function withPolicy(browser, policy, run) {
   const { server, address } = await serve(policy);
   const page = await browser.newPage();

@@ -37,7 +37,7 @@ test('a ball is dragged, coloured, undone and kept, and a sphere comes in', asyn
   await press('Download PNG');
   await page.waitForFunction(() => window.kept === 'own_scene.png', null, { timeout: 30_000 });
 
-  // Reset asks first, and Undo brings the scene back.
+  // Reset asks for confirmation, and Undo brings the scene back.
   page.once('dialog', dialog => dialog.dismiss());
   await press('Reset');
   await expect(page).toHaveURL(/tenth-sphere/);
@@ -124,7 +124,8 @@ test('the first page’s picture loads nothing until somebody is at it, then a b
   const link = figure.getByRole('link', { name: 'A scene of your own' });
   await expect(link).toHaveAttribute('href', /own_scene.html#scene=red-sphere-upwards:0.\d+$/);
   expect(page.url()).not.toContain('#');
-  // At rest, the picture has as many columns as the printed picture. Reset puts the ball back.
+  // Once nothing moves, the picture has as many columns as the image that the page shows at first.
+  // Reset puts the ball back.
   await expect(figure.locator('canvas')).toHaveAttribute('width', '1280');
   const reset = figure.getByRole('button', { name: 'Reset' });
   await reset.click();

@@ -1,5 +1,5 @@
-// Choosing a pixel of a picture shows a line about the pixel below the picture, opens the picture's
-// panel, and changes the address.
+// When a reader chooses a pixel, a line about this pixel appears below the picture, the picture's
+// panel opens, and the address changes.
 import { expect, makeReady, open, test } from './fixtures.js';
 
 test('a link that names a pixel selects it, and Back returns to the link', async ({ page, home }) => {

@@ -70,7 +70,8 @@ test('keys open the search, a click outside closes it, and the query stays after
     await page.keyboard.press(key);
     await expect(box, key).toBeVisible();
   }
-  // A click inside the search leaves it open, and so does a selection that ends outside.
+  // A click inside the search box leaves the box open. So does a selection that begins inside the
+  // box and ends outside.
   const { x, y, width, height } = await box.boundingBox();
   await page.mouse.click(x + 5, y + 100);
   const field = await page.locator('#search-field').boundingBox();
@@ -115,7 +116,7 @@ test('Enter goes to the heading', async ({ page, home }) => {
 test('the search keeps the reader’s place, and offers near matches', async ({ page, home }) => {
   await open(page, `${home}step03_nearest.html`);
   // Lay out everything first. Otherwise, a part above the reader's place might be laid out later,
-  // which would move that place, too.
+  // and move that place.
   await page.locator('main > *').evaluateAll(parts => parts.forEach(part => { part.style.contentVisibility = 'visible'; }));
   await page.evaluate(() => scrollTo(0, 2000));
   const place = await page.evaluate(() => scrollY);

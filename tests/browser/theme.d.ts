@@ -35,8 +35,8 @@ interface Book {
   /** In the contents, ticks the steps for which the reader's picture was right. */
   markRight(): void;
   /**
-   * Parses a number as people type it: 58.72, 58,72, 1/2, −3 or 60°. Returns NaN if the text isn't
-   * a number.
+   * Parses a number as people type it, such as `58.72`, `58,72`, `1/2`, `−3` or `60°`. Returns NaN
+   * if the text isn't a number.
    */
   readNumber(text: string): number;
   /**
@@ -158,7 +158,7 @@ interface MistakesRequest {
 interface CheckRequest {
   request: "check";
   fileName: string;
-  /** The name of the expected picture, or null if `check` should find that out. */
+  /** The name of the expected picture, or null if `check` has to find out which picture it is. */
   picture: string | null;
 }
 
@@ -183,7 +183,7 @@ type FigureRequest = { figure: string } & (
   | { request: "about" }
   /** Asks for everything that the page shows at these values. */
   | { request: "show", values: ParameterValues, columns: number | null }
-  /** Asks for the same as "show", but without the drawing or the pixels. */
+  /** Asks for the same as "show", except for the drawing or the pixels. */
   | { request: "read", values: ParameterValues }
   /** Asks for the same as "show", after a handle was dragged. */
   | { request: "drag", values: ParameterValues, handle: number, position: [number, number], columns: number | null }
@@ -359,7 +359,7 @@ interface ParentNode {
   querySelector<K extends keyof HTMLElementTagNameMap>(selectors: K): HTMLElementTagNameMap[K];
   querySelectorAll<K extends keyof HTMLElementTagNameMap>(selectors: K): NodeListOf<HTMLElementTagNameMap[K]>;
   /**
-   * The caller knows what element the builder has printed. A caller that needs more than an
+   * Callers know which elements the builder has written. A caller that needs more than an
    * `HTMLElement` names the element's type.
    */
   querySelector<E extends HTMLElement>(selectors: string): E;

@@ -1,5 +1,5 @@
-// Every figure becomes ready in WebKit. WebKit runs through its own driver: Playwright has a build
-// of WebKit, but nobody browses with that.
+// Every figure becomes ready in WebKit. The test runs an installed WebKit through WebKit's own
+// driver, because nobody browses with Playwright's build of WebKit.
 import { spawn } from 'node:child_process';
 import { once } from 'node:events';
 import { figures } from './book.js';

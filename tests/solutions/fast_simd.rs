@@ -11,9 +11,9 @@ use support::{RandomInputs, test_law};
 
 /// Returns every set of vector instructions that this machine supports.
 ///
-/// `fearless_simd` also has a fallback without vector instructions, which we don't test. If all
-/// processors of the target have vector instructions, the fallback isn't even compiled, and forcing
-/// it would cost a cold `cargo test` nearly a minute of CPU time.
+/// `fearless_simd` also has a fallback without vector instructions. We don't test the fallback: if
+/// all processors of the target have vector instructions, it isn't even compiled, and compiling it
+/// anyway would cost a cold `cargo test` nearly a minute of CPU time.
 fn simd_levels() -> Vec<Level> {
     let best = Level::new();
     let mut levels = vec![Level::baseline(), best];
@@ -142,8 +142,8 @@ fn fast_draws_the_bytes_of_render_for_rays_in_one_plane() {
 }
 
 // Two of the blocks of pixels that `fast` draws meet at column 15.5. This camera's centre is at
-// that column, and nearly in the plane of the picture. So rounding errors in V turn the plane
-// through the centre and the blocks' common edge by a large angle.
+// that column, and nearly in the plane of the picture. The centre and the common edge of the two
+// blocks define a plane, which rounding errors in V turn by a large angle.
 #[test]
 fn fast_draws_the_bytes_of_render_for_a_camera_nearly_in_the_plane_of_its_picture() {
     test_law(60, |random| {
@@ -214,7 +214,7 @@ fn fast_draws_the_bytes_of_render_where_rounding_errors_are_larger_than_the_sphe
             let radius = distance * 10_f64.powf(random.number(-11.0, -7.0));
             spheres.insert(random.index(spheres.len() + 1), Sphere { centre, radius });
         }
-        // In half of the scenes, remove the ball, which hides the sky.
+        // In half of the scenes, remove the ball, so that the sky behind it is visible.
         if random.index(2) == 0 {
             spheres.retain(|sphere| *sphere != ball);
         }

@@ -57,8 +57,9 @@ fn perturb_camera(camera: &Camera, neighbour: fn(f64) -> f64) -> Camera {
 }
 
 /// On a different platform, the tangent may differ in its last bit. A number in the matrix may
-/// differ, too, if a reader writes the terms of its formula in a different order. `speckled` is
-/// skipped, because it is meant to show rounding errors. Its camera doesn't compute a tangent.
+/// differ, too, if a reader writes the terms of its formula in a different order. We skip the
+/// picture `speckled`: it is meant to show rounding errors, and its camera's tangent is a literal,
+/// which is the same on every platform.
 #[test]
 #[ignore = "takes a minute: cargo test -- --include-ignored"]
 fn pictures_do_not_depend_on_the_last_bit_of_the_camera() {

@@ -21,8 +21,8 @@ fn scenes_without_mirrors_and_glass_look_like_step_5_with_shadows() {
     }
 }
 
-/// The page "A scene of your own" begins with a copy of step 5's scene. Comparing pictures wouldn't
-/// cover all of it, because the green sphere isn't in view.
+/// The page "A scene of your own" begins with a copy of step 5's scene. A comparison of pictures
+/// wouldn't cover the whole scene, because the green sphere isn't in view.
 #[test]
 fn own_scene_begins_as_the_scene_of_step_5() {
     let (own, ours) = (own_scene::my_scene(), scene());
@@ -87,8 +87,8 @@ fn glass_reflects_all_light_from_inside_beyond_42_degrees() {
     }
     // At a slightly smaller angle, most of the light leaves.
     assert!(seen(41.0).y > -0.5, "{}", seen(41.0));
-    // With an index below 1, as for an air bubble in glass, rays from outside are totally reflected,
-    // too.
+    // With an index below 1, as for an air bubble in glass, rays from outside are totally
+    // reflected, too.
     let from_outside =
         Ray { start: DVec3::new(-2.0, 2.0, 0.0), direction: DVec3::new(2.0, -1.0, 0.0) };
     let seen = glass::through_glass(&from_outside, &point, 1.0 / 1.5, |next| next.direction);
@@ -110,8 +110,8 @@ fn last_mirror_shows_its_own_colour_and_the_last_glass_is_black() {
         let Some(point) = visible_point(&scene.objects, &ray) else { continue };
         let mirror::Mirror { material, k } = point.material();
         if *k > 0.0 {
-            // With a depth of 1, a ray sees a mixture of the mirror's own paint and of the mirror
-            // image, which is traced with a depth of 0.
+            // With a depth of 1, a ray sees a mixture of two colours: the mirror's own, and that of
+            // the mirror image, which is traced with a depth of 0.
             let start = point.p + mirror::OFFSET * point.n;
             let mirrored = Ray { start, direction: reflect(point.n, -ray.direction) };
             let is_hidden = |light: &Light| {

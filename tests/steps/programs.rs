@@ -20,8 +20,7 @@ const ALLOWED: [&str; 7] = [
     "--width 20 --output -dash.png",
 ];
 
-/// Arguments with which a program draws nothing. A test compares what the program prints instead
-/// with a snapshot.
+/// Arguments with which a program prints a text instead of drawing. The texts are in a snapshot.
 const REFUSED: [&str; 18] = [
     "--help",
     "--width 0",
@@ -121,7 +120,8 @@ fn run_program(step: &str, folder: &Path, arguments: &str) -> Output {
 
 /// Builds the programs, because `cargo test` doesn't build binaries from other packages.
 ///
-/// With `--workspace`, Cargo builds their dependencies with the same features as everywhere else.
+/// With `--workspace`, Cargo builds the programs' dependencies with the same features as everywhere
+/// else.
 fn build_programs() {
     let mut cargo = cargo_command();
     cargo.args(["build", "--quiet", "--workspace", "--target-dir"]).arg(target_folder());

@@ -70,8 +70,8 @@ fn checkerboard_detail_camera() -> Camera {
     crop_camera(camera(), [366.0, 264.0], [40, 30])
 }
 
-/// A camera for a close-up of the place where a highlight appears without the test of n·l (the
-/// gate).
+/// A camera for a close-up of the pixels that the gate changes. The gate is the test of n·l:
+/// without it, these pixels would show a highlight.
 fn gate_detail_camera() -> Camera {
     crop_camera(camera(), [585.0, 150.0], [40, 30])
 }

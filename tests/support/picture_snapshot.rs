@@ -10,9 +10,9 @@ use insta::Settings;
 use std::fs;
 use std::path::PathBuf;
 
-/// Compares `picture` with the locked picture `name`, pixel by pixel. `assert_png` receives a PNG file
-/// and hands it to insta. If all pixels are equal, the PNG file is the locked file itself, because
-/// a different version of the encoder might write different bytes for the same pixels.
+/// Compares `picture` with the locked picture `name`, pixel by pixel. `assert_png` receives a PNG
+/// file and hands it to insta. If all pixels are equal, the PNG file is the locked file itself,
+/// because a different version of the encoder might write different bytes for the same pixels.
 ///
 /// If any pixels differ, first prints a sentence that describes the difference, and the command
 /// that accepts the new picture. Also saves a comparison of both pictures in the target folder.
@@ -70,6 +70,7 @@ fn describe_and_save_mismatch(name: &str, picture: &RgbImage) -> Option<String> 
     Some(format!("{difference}.\n{caption} {}", path.display()))
 }
 
+/// Where the panels are saved that compare the picture called `name` with its snapshot.
 fn panels_path(name: &str) -> PathBuf {
     target_folder().join(format!("differences/{name}.png"))
 }

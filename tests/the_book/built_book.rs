@@ -24,7 +24,7 @@ pub fn built_book() -> &'static Site {
 }
 
 /// Builds the book. Under nextest, each test runs in its own process, so the first test builds the
-/// book and the others read what it has built.
+/// book, and the other tests read the built book.
 fn build_book_once_per_run() -> Result<Site> {
     let folder = target_folder().join("tests/book");
     let Some(run) = nextest_run_id() else {

@@ -84,6 +84,7 @@ impl<'a> SourceNames<'a> {
         })
     }
 
+    /// Whether a file has this name, or a path that ends with `/` and this name.
     fn has_file(&self, name: &str) -> bool {
         self.files.iter().any(|(path, _)| format!("/{path}").ends_with(&format!("/{name}")))
     }

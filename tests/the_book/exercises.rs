@@ -1,17 +1,17 @@
 //! Tests that each exercise has a section and a form on a practice page, and a solution on the
-//! solutions page. All of them are named after the exercise's picture.
+//! solutions page. Section, form and solution are named after the exercise's picture.
 
 use super::assert_no_faults;
 use super::built_book::built_book;
 use builder::Page;
 use std::collections::BTreeMap;
 
-/// Solutions to exercises that aren't on a practice page. The exercise `fast` has its own page,
-/// "Faster".
+/// Exercises that have a solution on the solutions page, but no section on a practice page. The
+/// exercise `fast` has its own page, "Faster".
 const WITHOUT_PRACTICE: [&str; 1] = ["fast"];
 
-/// Finds the exercises' sections on a page. Returns a map from each section's name to the names of
-/// the pictures that its forms check.
+/// Finds the exercises' sections on a page. Returns a map from the name of each section to the
+/// names of the pictures that the section's forms check.
 fn checked_pictures_by_section(page: &Page) -> BTreeMap<&str, Vec<&str>> {
     let (mut sections, mut section) = (BTreeMap::new(), None);
     for element in &page.elements {

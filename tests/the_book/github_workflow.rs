@@ -99,7 +99,8 @@ fn run_workflow(folder: &Path, required: &str) -> Result<String> {
     fs::create_dir_all(grade.join("class/drawn")).expect("the folder can be created");
     run_bash(&draw, "git clone --quiet ../../ada student", &[])
         .expect("the repository can be cloned");
-    // Copy the steps, because students' programs may write into that folder.
+    // Copy the course's steps for the job, because a student's program may overwrite files in the
+    // job's folder `course`.
     let course = workspace();
     let copy = "cp -R \"$COURSE\"/steps course";
     run_bash(&draw, copy, &[("COURSE", course.to_str().expect("the path is UTF-8"))])
@@ -177,7 +178,7 @@ fn workflow_passes_only_if_a_program_draws_the_picture() -> Result<()> {
     // In all of these attacks, the right picture is committed, but no program draws it:
     //
     // - The program does nothing.
-    // - A Cargo setting copies the committed picture.
+    // - A Cargo setting makes `cargo run` copy the committed picture.
     // - The picture is committed in a folder with the same name as the folder in which the workflow
     //   draws.
     // - The program draws a wrong picture, and overwrites the locked picture with it in the

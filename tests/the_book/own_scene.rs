@@ -17,6 +17,7 @@ const ADDRESSES: [&str; 5] = [
     "the-way-back-shadows-and-mirrors:1,camera-position-upwards:3.5,camera-roll:-20",
 ];
 
+/// Returns the figure of the page "A scene of your own", and the figure's editable scene.
 fn own_scene_figure() -> (&'static Figure, &'static EditableScene) {
     let figure = find_figure("own_scene").expect("the figure exists");
     (figure, figure.editable_scene.as_ref().expect("its scene is editable"))

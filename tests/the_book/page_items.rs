@@ -28,7 +28,7 @@ pub enum PageItem<'a> {
 
 /// A command on a page, with its output as the page shows it.
 pub struct PageCommand {
-    /// The page's name, and the nearest id at or before the command.
+    /// The page's name, and the id of the command or, if it has none, the nearest id above.
     pub location: String,
     /// The command line, for a shell.
     pub line: String,

@@ -50,6 +50,8 @@ impl ReaderWorkspace {
         Ok(())
     }
 
+    /// Writes a file, unless it already has this text. Rewriting the same text would make Cargo
+    /// compile the file again.
     pub fn write_if_changed(&self, path: &str, text: &str) -> Result<()> {
         let path = self.folder.join(path);
         if fs::read_to_string(&path).ok().as_deref() != Some(text) {
@@ -59,9 +61,9 @@ impl ReaderWorkspace {
         Ok(())
     }
 
-    /// Replaces `steps/*` in the manifest with the names of the members. Cargo takes the
-    /// workspace's path for a part of that pattern, so if the path contained square brackets, Cargo
-    /// would find no members.
+    /// Replaces `steps/*` in the manifest with the paths of the members. Cargo would put the
+    /// workspace's path in front of that pattern. If the path contained square brackets, Cargo
+    /// would take them for a part of the pattern, and find no members.
     fn list_members_in_manifest(&self) -> Result<()> {
         let mut members = vec![];
         for entry in fs::read_dir(self.folder.join("steps"))? {

@@ -1,8 +1,8 @@
 //! Code and data shared by the book's crates, in six folders and four files:
 //!
 //! - `steps`: the five steps as an enum, the camera that takes their pictures, the discriminant of
-//!   a sphere and a ray, and the steps' examples as a library. It also lists every picture that a
-//!   step or an example draws.
+//!   a sphere and a ray, and the steps' examples as a library. This folder also lists every picture
+//!   that a step or an example draws.
 //! - `source_code`: the steps' source code as text. A *place* is an expression in this code that a
 //!   reader may edit on a page.
 //! - `mistakes`: the mistakes that readers make, each as a diff; a table with the hashes of the

@@ -13,10 +13,10 @@
 //! - a single line `@ FILE`, which names the source file of the mistakes below it,
 //! - a comment, in which every line starts with `#`.
 //!
-//! If the book shows a mistake, its block has four more kinds of lines:
+//! If the book shows a mistake, the mistake's block has four more kinds of lines:
 //!
-//! - `!`: the name of a picture and, if it isn't the file's step, the step that draws this picture;
-//!   a block may have several of these lines,
+//! - `!`: the name of a picture, followed by the name of a step if a later step than the file's
+//!   draws the picture; a block may have several of these lines,
 //! - `?`: why the code is wrong,
 //! - `/`: the section to read again,
 //! - `"`: what the picture shows.
@@ -47,7 +47,7 @@ pub struct Mistake {
 pub struct ShownMistake {
     /// The pictures of the mistake, at least one.
     pub pictures: Vec<MistakePicture>,
-    /// A sentence that says why the code is wrong, or what is right.
+    /// A sentence that says why the code is wrong, or what would be right.
     pub reason: &'static str,
     /// The heading of the section to read again, in a chapter about the mistake's step.
     pub section: &'static str,
@@ -118,7 +118,7 @@ enum MistakeListFault {
     NotShown,
 }
 
-/// The number of a line in a list, and the line.
+/// A line in a list, with its line number in front.
 type NumberedLine = (usize, &'static str);
 
 /// Parses a step's list.
@@ -197,7 +197,8 @@ impl MarkedLines {
     }
 }
 
-/// Stores the words of a line whose mark may occur only once per mistake.
+/// Stores the words of a line whose mark may occur only once per mistake. Returns an error if the
+/// mark has already occurred.
 fn set_once(
     line: &mut Option<&'static str>,
     mark: char,
@@ -253,8 +254,8 @@ impl Mistake {
     }
 
     /// Strips the indentation from `file_text`, the text of the mistake's file, and applies the
-    /// mistake. If the right code doesn't occur there exactly once, the error is the number of
-    /// occurrences.
+    /// mistake. If the right code doesn't occur exactly once in `file_text`, the error is the
+    /// number of occurrences.
     pub fn apply_and_strip_indentation(&self, file_text: &str) -> Result<String, usize> {
         let (file_text, old) =
             (trim_start_of_each_line(file_text), trim_start_of_each_line(&self.old));

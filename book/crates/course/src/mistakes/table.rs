@@ -6,8 +6,8 @@
 //! The table is `table.txt`, which `cargo xtask` writes. All its hashes are hexadecimal.
 //!
 //! - `= NAME HASH` is the name of a right picture, and the hash of its pixels.
-//! - `! NAME` is the name of a small picture. It shows what a wrong program draws instead of the
-//!   right picture in the last line with `=`.
+//! - `! NAME` is the name of a small picture. This picture shows what a wrong program draws instead
+//!   of the right picture that the nearest line with `=` above names.
 //! - `KEY HASH HASH …` is the row of a mistake. The key is a hash of everything that the mistake's
 //!   pictures depend on. The other hashes are those of the pictures that the mistake's step and all
 //!   later steps draw with the mistake. If such a picture is right in spite of the mistake, or
@@ -38,7 +38,7 @@ pub struct RightPicture<'a> {
     pub name: &'a str,
     /// The hash of its pixels.
     pub hash: u64,
-    /// The names of the small pictures that show what wrong versions of this step draw.
+    /// The names of the small pictures that show what wrong programs draw instead.
     pub small_pictures: Vec<&'a str>,
 }
 
@@ -93,7 +93,8 @@ impl<'a> MistakeTable<'a> {
     }
 }
 
-/// Parses a hash, which has 16 digits. If there are fewer or more, the file is damaged.
+/// Parses a hash of 16 hexadecimal digits. Returns None if there are fewer or more digits, because
+/// the file is damaged then.
 fn parse_hash(digits: &str) -> Option<u64> {
     u64::from_str_radix(digits, 16).ok().filter(|_| digits.len() == 16)
 }

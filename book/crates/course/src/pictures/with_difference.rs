@@ -26,8 +26,8 @@ pub fn draw_with_difference(first: &RgbImage, second: &RgbImage) -> RgbImage {
     })
 }
 
-/// The colour of a pixel in the third panel, if the pixel has the colour `a` in the first picture
-/// and `b` in the second.
+/// The colour in the third panel of a pixel that has the colour `a` in the first picture and the
+/// colour `b` in the second.
 fn difference_colour(a: &Rgb<u8>, b: &Rgb<u8>) -> Rgb<u8> {
     let sum = |colour: &Rgb<u8>| colour.0.iter().map(|c| u32::from(*c)).sum::<u32>();
     let strength = 120 + u32::from(largest_channel_difference(a, b)) * 135 / 255;

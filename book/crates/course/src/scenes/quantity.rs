@@ -55,7 +55,7 @@ pub struct Scalar {
     pub label: &'static str,
     /// The unit, such as °, or an empty string.
     pub unit: &'static str,
-    /// The smallest and the largest value that a page offers for any object but the ground.
+    /// The smallest and the largest value that a page offers for every owner except the ground.
     range: [f64; 2],
     /// The range for the ground, if it differs from `range`. The ground is the largest sphere.
     ground_range: Option<[f64; 2]>,
@@ -63,9 +63,10 @@ pub struct Scalar {
     pub steps_per_unit: f64,
     /// Whether the number has an effect only in a scene with shadows and mirrors.
     pub needs_mirrors: bool,
-    /// Which component of the owner's position or colour this number is. A page's handles and its
-    /// colour field find the number by this component. None for all other numbers, such as the
-    /// coordinates of the camera's position and target, and the channels of a highlight's colour.
+    /// The axis or channel, if this number belongs to the position or colour of the owner. A page's
+    /// handles and its colour field find the number by this component. None for all other numbers,
+    /// such as the coordinates of the camera's position and target, and the channels of a
+    /// highlight's colour.
     pub component: Option<Component>,
     property: Property,
     /// The index of the axis or channel if the property has three numbers, and 0 otherwise.
@@ -322,6 +323,7 @@ const LIGHT_COLOUR: TypedRange =
 const HIGHLIGHT_COLOUR: TypedRange =
     TypedRange { first_step: Step::Phong, range: [0, 5], steps_per_unit: 100 };
 
+/// A number without a unit, with the same range for every owner, and with an effect in every scene.
 const fn scalar(
     property: Property,
     symbol: &'static str,
@@ -357,7 +359,7 @@ const fn xyz(
     ])
 }
 
-/// The position of an object or a light.
+/// The three coordinates of the position of an object or a light, each with its component.
 const fn position(property: Property, ranges: [[f64; 2]; 3]) -> [Scalar; 3] {
     let [x, y, z] = xyz(property, ["sideways", "upwards", "towards you"], ranges);
     [
@@ -367,7 +369,7 @@ const fn position(property: Property, ranges: [[f64; 2]; 3]) -> [Scalar; 3] {
     ]
 }
 
-/// The colour of an object or a light.
+/// The three channels of the colour of an object or a light, each with its component.
 const fn colour(property: Property, max: f64) -> [Scalar; 3] {
     let [red, green, blue] = rgb(property, ["red", "green", "blue"], max);
     [

@@ -82,7 +82,8 @@ pub enum PlaceNote {
     /// A method is called on the value. So a literal such as `1.0` needs a suffix: Rust has to know
     /// the literal's type before it can look up the method.
     MethodFollows,
-    /// The value is the right operand of `&&`, which binds more tightly than `||`.
+    /// The value is the right operand of `&&`, which binds more tightly than `||`. So an expression
+    /// with `||` needs parentheses.
     AfterAnd,
     /// The step's picture shows whether a ray hits the ball, but not at which `t`. So an edit that
     /// changes only `t` is visible only in the pictures of later steps.

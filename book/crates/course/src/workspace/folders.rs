@@ -34,7 +34,7 @@ pub fn target_folder() -> PathBuf {
 
 /// A command that runs Cargo. If Cargo is running this program, the command uses the same Cargo.
 ///
-/// We remove the variable `CARGO_BUILD_TARGET`. With it, Cargo would put programs into
+/// We remove the variable `CARGO_BUILD_TARGET`. If it were set, Cargo would put programs into
 /// `target/TARGET/debug` instead of `target/debug`.
 pub fn cargo_command() -> Command {
     let mut command = Command::new(env::var_os("CARGO").unwrap_or("cargo".into()));
