@@ -1,4 +1,4 @@
-//! Step 3: a case of finding the nearest hit that no worked example or picture in the book covers.
+//! Step 3: a tie for the nearest hit. No worked example or picture in the book has such a tie.
 
 use glam::DVec3;
 use step03_nearest::{Object, Ray, Sphere, nearest};

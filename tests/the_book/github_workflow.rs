@@ -181,8 +181,8 @@ fn workflow_passes_only_if_a_program_draws_the_picture() -> Result<()> {
     // - A Cargo setting makes `cargo run` copy the committed picture.
     // - The picture is committed in a folder with the same name as the folder in which the workflow
     //   draws.
-    // - The program draws a wrong picture, and overwrites the locked picture with it in the
-    //   course's folder.
+    // - The program draws a wrong picture, and overwrites the locked picture in the course's folder
+    //   with this wrong picture.
     // - The code doesn't compile.
     fs::copy(locked_picture_path("step01_rays"), folder.join("step01_rays.png"))?;
     fs::copy(locked_picture_path("step02_sphere"), folder.join("wrong.png"))?;

@@ -20,7 +20,7 @@ const ADDRESSES: [&str; 5] = [
 /// Returns the figure of the page "A scene of your own", and the figure's editable scene.
 fn own_scene_figure() -> (&'static Figure, &'static EditableScene) {
     let figure = find_figure("own_scene").expect("the figure exists");
-    (figure, figure.editable_scene.as_ref().expect("its scene is editable"))
+    (figure, figure.editable_scene.as_ref().expect("the figure has an editable scene"))
 }
 
 /// At first, the page shows the file of the example. Once a reader changes the scene, the page

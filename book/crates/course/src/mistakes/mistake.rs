@@ -234,7 +234,8 @@ impl Mistake {
         let heading = self.shown.as_ref()?.section;
         let is_of_program = self.file.ends_with("/program.rs");
         let chapter = if is_of_program { "step01_program" } else { self.step.name() };
-        // The tables of Unicode's letters would make the module for `check` a twentieth larger.
+        // Change only ASCII letters: Unicode's tables would make the module for `check` a twentieth
+        // larger.
         let id = heading.to_ascii_lowercase().replace(' ', "-");
         let id: String = id.chars().filter(|c| c.is_ascii_alphanumeric() || *c == '-').collect();
         Some(format!("{chapter}.{extension}#{id}"))

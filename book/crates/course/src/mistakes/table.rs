@@ -142,7 +142,7 @@ pub fn mistake_table() -> &'static MistakeTable<'static> {
 ///
 /// # Panics
 ///
-/// Panics if there are more mistakes than rows, or fewer.
+/// Panics if the number of mistakes differs from the number of rows.
 pub fn mistakes_with_rows() -> impl Iterator<Item = (&'static Mistake, &'static TableRow)> {
     let (mistakes, rows) = (mistakes(), &mistake_table().rows);
     assert_eq!(

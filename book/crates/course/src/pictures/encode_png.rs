@@ -3,8 +3,8 @@
 use image::RgbImage;
 use image::codecs::png::{CompressionType, FilterType, PngEncoder};
 
-/// Encodes a picture as a PNG file with default compression. Best compression would take twice as
-/// long, and save only 2 %.
+/// Encodes a picture as a PNG file with default compression. The best compression would take twice
+/// as long, and make the file only 2 % smaller.
 pub fn encode_png(picture: &RgbImage) -> Vec<u8> {
     let mut png = vec![];
     let (compression, filter) = (CompressionType::Default, FilterType::Adaptive);

@@ -10,7 +10,7 @@ use step05_phong::{Light, Material, Matte, OBJECTS, Scene, scene};
 const NAMES: [&str; OBJECTS.len()] =
     ["ball 1", "ground", "ball 2", "ball 3", "ball 4", "ball 5", "ball 6", "ball 7", "ball 8"];
 
-/// Generates the scene that belongs to a person's name. The scene is the course's or its mirror image,
+/// Generates the scene that belongs to a person's name: the course's scene or its mirror image,
 /// with sizes, colours, highlights and lights chosen by a hash of the name.
 ///
 /// Each ball is at most as large as its counterpart in the course, and has the same lowest point.

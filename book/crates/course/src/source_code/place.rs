@@ -327,7 +327,7 @@ misses: bool = d < 0.0
         let [mut place, _] = parse_places(LIST)
             .expect("the list is well-formed")
             .try_into()
-            .expect("it has two places");
+            .expect("the list has two places");
         place.code = "2.0 * s";
         assert_eq!(place.find_range("x = 2.0\n    * s;"), Ok(4..15));
         let error =
