@@ -18,7 +18,8 @@ const STEPS: &str = "../../../steps";
 
 /// What step 1's draw_pixels.rs contains in the copy. The original shares the rows among threads,
 /// but the context in `edited_picture.rs` is thread-local.
-const DRAW_PIXELS: &str = "pub use crate::expressions::draw_pixels;\n";
+const DRAW_PIXELS: &str =
+    "pub use crate::expressions::draw_spaced_pixels_until_refusal as draw_pixels;\n";
 
 fn main() -> Result<(), Box<dyn Error>> {
     println!("cargo::rerun-if-changed={STEPS}");
@@ -91,5 +92,5 @@ fn with_editable_places(text: &str, file: &str, places: &[Place]) -> String {
         let replacement = format!("(match {call} {{ Some(value) => value, None => {code} }})");
         copy.replace_range(range, &replacement);
     }
-    copy.replace("debug_assert!(", "crate::expressions::refuse_first_line_unless(")
+    copy.replace("debug_assert!(", "crate::expressions::assert_or_refuse_first_line(")
 }

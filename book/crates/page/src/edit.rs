@@ -22,7 +22,7 @@ const FULL_WIDTH: u32 = PICTURE_COLUMNS;
 /// many operations take about 150 ms, in addition to the time for the book's own code.
 const MAX_OPERATIONS: u64 = 4_000_000;
 
-/// The horizontal and vertical distance between the pixels that [`describe_later_steps`] draws.
+/// The horizontal and vertical distance between the pixels that [`describe_effect_on_later_steps`] draws.
 const PIXEL_SPACING: u32 = 12;
 
 /// Draws a step with the reader's lines in it. The reply contains either the picture and the names
@@ -61,20 +61,18 @@ impl<'a> Edit<'a> {
 
     /// Compiles all lines.
     fn compile_lines(&self) -> Result<Vec<CompiledLine>, LineRefusal> {
-        let parse = |(place, text): &(Place, &str)| {
-            let expression = compile_line(place, text);
-            expression.map_err(|refusal| LineRefusal { place: place.name, refusal })
+        let compile = |(place, text): &(Place, &str)| {
+            compile_line(place, text).map_err(|refusal| LineRefusal { place: place.name, refusal })
         };
-        self.lines.iter().map(parse).collect()
+        self.lines.iter().map(compile).collect()
     }
 
     /// Draws the picture. If that takes too many operations at full size, draws it at half the
     /// width and height instead.
     fn draw(&self) -> Result<RgbImage, LineRefusal> {
-        let expressions = self.compile_lines()?;
-        let draw = |columns, max_operations| {
-            draw_step_of_first_line(&expressions, columns, max_operations)
-        };
+        let lines = self.compile_lines()?;
+        let draw =
+            |columns, max_operations| draw_step_of_first_line(&lines, columns, max_operations);
         let takes_too_long = |result: &Result<_, LineRefusal>| matches!(result, Err(error) if error.refusal.fault == Fault::OutOfOperations);
         if self.columns < FULL_WIDTH {
             return draw(self.columns, MAX_OPERATIONS);
@@ -97,7 +95,7 @@ impl<'a> Edit<'a> {
             Ok(picture) => {
                 let note = match (self.columns, picture.width()) {
                     (FULL_WIDTH, FULL_WIDTH) => {
-                        describe_picture(self, &picture).unwrap_or_default()
+                        describe_known_picture(self, &picture).unwrap_or_default()
                     }
                     (FULL_WIDTH, _) => "Drawn smaller, as it takes long to compute.".to_owned(),
                     _ => String::new(),
@@ -136,14 +134,18 @@ fn utf16_range(text: &str, bytes: &Range<usize>) -> Range<usize> {
 /// Says that a picture is right, or which listed mistake draws the same pixels. A mistake is only
 /// considered if a single line is edited, and if the mistake changes the code at the place of this
 /// line. Returns None for any other picture, and for a wrong picture that has a single colour.
-fn describe_picture(edit: &Edit, picture: &RgbImage) -> Option<String> {
+fn describe_known_picture(edit: &Edit, picture: &RgbImage) -> Option<String> {
     let lines = &edit.lines;
     let (place, _) = lines.first()?;
     let (step, hash) = (place.step().name(), hash_picture(picture));
     if hashes_of_right_pictures().any(|(name, right)| name == step && right == hash) {
         let only_moves_hit =
             |(place, _): &(Place, _)| place.notes.contains(&PlaceNote::OnlyMovesHit);
-        let later = lines.iter().all(only_moves_hit).then(|| describe_later_steps(edit)).flatten();
+        let later = lines
+            .iter()
+            .all(only_moves_hit)
+            .then(|| describe_effect_on_later_steps(edit))
+            .flatten();
         let sentence = "Not one pixel differs from the book's picture.";
         return later.or_else(|| Some(sentence.to_owned()));
     }
@@ -165,7 +167,7 @@ fn describe_picture(edit: &Edit, picture: &RgbImage) -> Option<String> {
 /// Says which later step, if any, would show the effect of the lines. Step 2's picture can't show
 /// it, because that picture depends on whether a ray meets the ball, but not on the t of the hit.
 /// Returns None if drawing the later steps takes too many operations.
-fn describe_later_steps(edit: &Edit) -> Option<String> {
+fn describe_effect_on_later_steps(edit: &Edit) -> Option<String> {
     let lines = edit.compile_lines().ok()?;
     let blind = "This picture can't show what you changed here: it shows whether a ray meets the \
                  ball, not at which t.";
@@ -204,10 +206,12 @@ fn describe_later_steps(edit: &Edit) -> Option<String> {
 mod tests {
     use super::*;
 
+    /// Makes edited lines from the names of their places and their texts.
     fn edited_lines<const N: usize>(lines: [(&str, &str); N]) -> [EditedLine; N] {
         lines.map(|(place, text)| EditedLine { place: place.to_owned(), text: text.to_owned() })
     }
 
+    /// Replies to a request to draw these lines. Each is the name of its place and its text.
     fn reply<const N: usize>(columns: u32, lines: [(&str, &str); N]) -> Reply {
         edit(columns, &edited_lines(lines)).expect("the request is valid")
     }

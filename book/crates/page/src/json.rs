@@ -55,23 +55,26 @@ impl<'a> Json<'a> {
 
     /// Reads an array.
     pub fn array(self) -> Option<Vec<Self>> {
-        split(self.0.strip_prefix('[')?.strip_suffix(']')?, b',')
+        split_outside_strings_and_brackets(self.0.strip_prefix('[')?.strip_suffix(']')?, b',')
     }
 
     /// Reads an object.
     pub fn object(self) -> Option<Vec<(String, Self)>> {
         let read_field = |field: Json<'a>| {
-            let [name, value] = split(field.0, b':')?[..] else { return None };
+            let [name, value] = split_outside_strings_and_brackets(field.0, b':')?[..] else {
+                return None;
+            };
             Some((name.string()?, value))
         };
-        let fields = split(self.0.strip_prefix('{')?.strip_suffix('}')?, b',')?;
+        let fields =
+            split_outside_strings_and_brackets(self.0.strip_prefix('{')?.strip_suffix('}')?, b',')?;
         fields.into_iter().map(read_field).collect()
     }
 }
 
 /// Splits a text at a separator, except within strings and brackets. Returns None if a string or a
 /// bracket isn't closed.
-fn split(text: &str, separator: u8) -> Option<Vec<Json<'_>>> {
+fn split_outside_strings_and_brackets(text: &str, separator: u8) -> Option<Vec<Json<'_>>> {
     let (mut parts, mut start) = (vec![], 0);
     let (mut depth, mut is_string, mut is_escaped) = (0, false, false);
     for (index, byte) in text.bytes().enumerate() {
@@ -138,7 +141,7 @@ mod tests {
     }
 
     #[test]
-    fn text_that_is_not_an_array_or_object_is_refused() {
+    fn array_and_object_refuse_any_other_text() {
         for text in ["", "[", "]", "[[]", "[]]", "[\"]", "[\"\\\"]", "{}"] {
             assert_eq!(Json::new(text).array(), None, "{text}");
         }

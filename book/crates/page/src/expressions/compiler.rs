@@ -96,7 +96,9 @@ impl Compiler<'_> {
             _ => {}
         }
         let unknown = self.refuse_unknown_chain(syntax);
-        if let Some(refusal) = unknown.or_else(|| self.refuse_unknown_function(syntax)) {
+        if let Some(refusal) =
+            unknown.or_else(|| self.refuse_unknown_function_of_unknown_chain(syntax))
+        {
             return Err(refusal);
         }
         let Operation { kind, name, operands, name_range } = split_operation(syntax)?;
@@ -232,8 +234,8 @@ mod tests {
             variables: vec![("x", ValueType::F64), ("k", ValueType::I32)],
             notes: vec![],
         };
-        let expression = compile_line(&place, text).map_err(|refusal| refusal.fault)?;
-        Ok(expression.computation)
+        let line = compile_line(&place, text).map_err(|refusal| refusal.fault)?;
+        Ok(line.computation)
     }
 
     /// Evaluates a line with `x` = 0.5 and `k` = 0. Returns None if the reader's program would

@@ -116,7 +116,7 @@ fn evaluate_line<T: Default + TryFrom<Value>>(place_index: usize, variables: &[V
 /// Replaces `debug_assert!` in the copied steps. If `condition` is false, a development build of
 /// the reader's program would panic, so this function refuses the first line. The refusal stops the
 /// drawing.
-pub fn refuse_first_line_unless(condition: bool, sentence: &'static str) {
+pub fn assert_or_refuse_first_line(condition: bool, sentence: &'static str) {
     if condition {
         return;
     }
@@ -131,10 +131,13 @@ pub fn refuse_first_line_unless(condition: bool, sentence: &'static str) {
     });
 }
 
-/// Draws a picture pixel by pixel until a line is refused. In the copied steps, this replaces step
-/// 1's function of the same name, which shares the rows among threads. Here a single thread draws
-/// all rows, because the context is thread-local.
-pub fn draw_pixels(camera: &Camera, pixel: impl Fn(f64, f64) -> Rgb<u8> + Sync) -> RgbImage {
+/// Draws every pixel whose column and row are multiples of the context's `pixel_spacing`, until a
+/// line is refused. In the copied steps, this replaces step 1's `draw_pixels`, which shares the rows
+/// among threads. Here a single thread draws all rows, because the context is thread-local.
+pub fn draw_spaced_pixels_until_refusal(
+    camera: &Camera,
+    pixel: impl Fn(f64, f64) -> Rgb<u8> + Sync,
+) -> RgbImage {
     let mut picture = RgbImage::new(camera.h_res, camera.v_res);
     let pixel_spacing = CONTEXT.with(|context| context.pixel_spacing.get());
     for (i, j, rgb) in picture.enumerate_pixels_mut() {
@@ -176,6 +179,8 @@ pub fn draw_some_pixels(
     picture
 }
 
+/// Draws a step with the reader's lines in place of the book's. Returns an error if a line is
+/// refused while the step draws.
 fn draw_step(
     step: Step,
     lines: &[CompiledLine],

@@ -30,10 +30,12 @@ mod syntax;
 mod value;
 
 pub use compiler::compile_line;
-pub use edited_picture::{LineRefusal, draw_pixels, draw_some_pixels, draw_step_of_first_line};
+pub use edited_picture::{
+    LineRefusal, draw_some_pixels, draw_spaced_pixels_until_refusal, draw_step_of_first_line,
+};
 pub use evaluation::CompiledLine;
 pub use refusal::{Fault, Refusal};
 pub use value::Value;
 
-// The copied steps call these, and also `draw_pixels`.
-use edited_picture::{refuse_first_line_unless, value_of_line};
+// The copied steps call these, and also `draw_spaced_pixels_until_refusal`.
+use edited_picture::{assert_or_refuse_first_line, value_of_line};

@@ -54,7 +54,7 @@ pub fn compile_literal(literal: &Lit) -> Result<Code, Refusal> {
     let is_whole = matches!(literal, Lit::Int(_));
     // Rust doesn't allow 0b1_f64, and reads 0x1_f64 as a whole number.
     let is_decimal =
-        !["0b", "0o", "0x"].iter().any(|start| literal_text(literal).starts_with(start));
+        !["0b", "0o", "0x"].iter().any(|start| write_literal(literal).starts_with(start));
     let value = match (suffix, is_whole) {
         ("" | "i32", true) => digits.parse().map(Value::I32).ok(),
         ("", false) | ("f64", _) if is_decimal => digits.parse().map(Value::F64).ok(),
@@ -80,7 +80,8 @@ pub fn compile_literal(literal: &Lit) -> Result<Code, Refusal> {
     }
 }
 
-fn literal_text(literal: &Lit) -> String {
+/// Writes a literal as in the line, with its prefix and suffix, such as `0x1_f64`.
+fn write_literal(literal: &Lit) -> String {
     literal.to_token_stream().to_string()
 }
 

@@ -372,7 +372,7 @@ impl Compiler<'_> {
         let converted = format!("f64::from({name})");
         let variable = variables().find(|known| *known == converted);
         if let Some(variable) = variable.or_else(|| find_near_name(name, variables())) {
-            return Some(self.name_as_in_places(variable));
+            return Some(self.restore_spaces_in_name(variable));
         }
         let is_here = |path: &Cow<str>| self.place.has_vectors || !path.starts_with("DVec3");
         let paths: Vec<_> =
@@ -394,12 +394,13 @@ impl Compiler<'_> {
         })
     }
 
-    /// Returns one of the place's names as it is written in places.txt, including the spaces.
-    fn name_as_in_places(&self, known: &str) -> String {
+    /// Returns the place's name that equals this one except for spaces, as places.txt has it. If
+    /// there is none, returns the name unchanged.
+    fn restore_spaces_in_name(&self, name_without_spaces: &str) -> String {
         let variables = self.place.variables.iter().map(|(name, _)| *name);
-        let mut names =
-            variables.filter(|name| name.split_whitespace().collect::<String>() == known);
-        names.next().unwrap_or(known).to_owned()
+        let mut names = variables
+            .filter(|name| name.split_whitespace().collect::<String>() == name_without_spaces);
+        names.next().unwrap_or(name_without_spaces).to_owned()
     }
 
     /// Refuses a chain such as `hit.object.name` if it begins like one of the place's names, but
@@ -426,7 +427,7 @@ impl Compiler<'_> {
         let variables = || self.names.iter().map(|(known, _)| &**known);
         let near = links.iter().zip(&names).find_map(|(link, name)| {
             let near =
-                self.name_as_in_places(variables().find(|known| is_near_chain(name, known))?);
+                self.restore_spaces_in_name(variables().find(|known| is_near_chain(name, known))?);
             let range = range_of(*link);
             let name = self.text[range.clone()].to_owned();
             Some((range, Fault::NearName { name, near }))
@@ -437,7 +438,7 @@ impl Compiler<'_> {
             let name = self.text[range.clone()].to_owned();
             let start = format!("{root}.");
             let known = variables().filter(|known| known.starts_with(&start));
-            let known: Vec<_> = known.map(|known| self.name_as_in_places(known)).collect();
+            let known: Vec<_> = known.map(|known| self.restore_spaces_in_name(known)).collect();
             let cure = format!("With {root}, you can write:\n{}", known.join(", "));
             let fault = match links[index] {
                 _ if begins_name(&names[index]) => Fault::PartOfName { name, cure },
@@ -453,7 +454,7 @@ impl Compiler<'_> {
     /// argument isn't a value by itself. Also refuses a call of an unknown function without
     /// arguments. Without this check, the reader would be told about the argument, although it's
     /// the function that can't be used here.
-    pub fn refuse_unknown_function(&self, syntax: &Expr) -> Option<Refusal> {
+    pub fn refuse_unknown_function_of_unknown_chain(&self, syntax: &Expr) -> Option<Refusal> {
         let Expr::Call(call) = syntax else { return None };
         let name = write_without_spaces(&call.func);
         let last = name.rsplit("::").next().unwrap_or_default();

@@ -63,14 +63,15 @@ fn cures_are_accepted() {
 }
 
 /// Draws a small picture with this text at a place.
-fn draw(name: &str, text: &str) -> Result<(), Refusal> {
-    draw_within(name, text, 30_000)
+fn draw(place_name: &str, text: &str) -> Result<(), Refusal> {
+    draw_within(place_name, text, 30_000)
 }
 
-fn draw_within(name: &str, text: &str, operations: u64) -> Result<(), Refusal> {
-    let place = all_listed_places().into_iter().find(|place| place.name == name);
+/// Draws a small picture with this text at a place. The picture may take `operations`.
+fn draw_within(place_name: &str, text: &str, operations: u64) -> Result<(), Refusal> {
+    let place = all_listed_places().into_iter().find(|place| place.name == place_name);
     let line = compile_line(&place.expect("a place"), text)?;
-    draw_step_of_first_line(&[line], 64, operations).map(|_| ()).map_err(|line| line.refusal)
+    draw_step_of_first_line(&[line], 64, operations).map(|_| ()).map_err(|error| error.refusal)
 }
 
 #[test]

@@ -16,10 +16,12 @@ fn places_and_listed_mistakes_are_drawn_by_an_edited_line() {
     let step = if is_thorough() { 1 } else { 10 };
     let (mut count, mut refusals) = (0, vec![]);
     for place in all_listed_places() {
-        for (text, expected) in known_codes_with_hashes(&place).into_iter().step_by(step) {
+        for (text, expected) in
+            right_and_mistaken_codes_with_hashes(&place).into_iter().step_by(step)
+        {
             count += 1;
-            let picture = compile_line(&place, &text).and_then(|expression| {
-                draw_step_of_first_line(&[expression], 640, u64::MAX).map_err(|line| line.refusal)
+            let picture = compile_line(&place, &text).and_then(|line| {
+                draw_step_of_first_line(&[line], 640, u64::MAX).map_err(|error| error.refusal)
             });
             let line = format!("{}: {text}", place.name);
             match picture {
@@ -42,7 +44,7 @@ fn places_and_listed_mistakes_are_drawn_by_an_edited_line() {
 
 /// Returns the known texts for `place`, each with the hash of the picture that it draws. They are
 /// the book's code, and the code of every mistake that changes only this place.
-fn known_codes_with_hashes(place: &Place) -> Vec<(String, u64)> {
+fn right_and_mistaken_codes_with_hashes(place: &Place) -> Vec<(String, u64)> {
     let path = format!("steps/{}", place.file);
     let text = fs::read_to_string(workspace().join(&path)).expect("a file");
     let lines: Vec<_> = text.lines().map(str::trim_start).collect();
