@@ -19,8 +19,9 @@ pub fn check_scene(file: &[u8], file_name: &str, person: &str) -> Reply {
     report(check_scene_png(file, file_name, person))
 }
 
-/// Makes a reply from the result of a check. The reply contains the exit code and the lines of the
-/// answer. If the picture differs from the right one, it also contains the two pictures and their
+/// Makes a reply from the result of a check. The reply contains the exit code, the lines of the
+/// answer and, if one of the lines names a section of the book, the address of that section. If the
+/// picture differs from the right one, the reply also contains the two pictures and their
 /// difference, side by side.
 fn report(result: Result<Answer, CheckError>) -> Reply {
     let answer = match result {

@@ -22,7 +22,8 @@ const FULL_WIDTH: u32 = PICTURE_COLUMNS;
 /// many operations take about 150 ms, in addition to the time for the book's own code.
 const MAX_OPERATIONS: u64 = 4_000_000;
 
-/// The horizontal and vertical distance between the pixels that [`describe_effect_on_later_steps`] draws.
+/// The horizontal and vertical distance between the pixels that [`describe_effect_on_later_steps`]
+/// draws.
 const PIXEL_SPACING: u32 = 12;
 
 /// Draws a step with the reader's lines in it. The reply contains either the picture and the names
@@ -39,7 +40,7 @@ struct Edit<'a> {
 }
 
 impl<'a> Edit<'a> {
-    /// Finds the places of the lines.
+    /// Pairs each line with its place.
     fn new(columns: u32, lines: &'a [EditedLine]) -> Result<Self, RequestError> {
         if !ALLOWED_COLUMNS.contains(&columns) {
             return Err(RequestError::Columns(columns));
@@ -133,7 +134,9 @@ fn utf16_range(text: &str, bytes: &Range<usize>) -> Range<usize> {
 
 /// Says that a picture is right, or which listed mistake draws the same pixels. A mistake is only
 /// considered if a single line is edited, and if the mistake changes the code at the place of this
-/// line. Returns None for any other picture, and for a wrong picture that has a single colour.
+/// line. Returns None for any other picture, and for a wrong picture that has a single colour. If a
+/// picture is right because it can't show what the lines change, describes their effect on later
+/// steps instead.
 fn describe_known_picture(edit: &Edit, picture: &RgbImage) -> Option<String> {
     let lines = &edit.lines;
     let (place, _) = lines.first()?;
@@ -164,9 +167,9 @@ fn describe_known_picture(edit: &Edit, picture: &RgbImage) -> Option<String> {
     Some(format!("A known mistake gives the same pixels: {}.", mistake.title))
 }
 
-/// Says which later step, if any, would show the effect of the lines. Step 2's picture can't show
-/// it, because that picture depends on whether a ray meets the ball, but not on the t of the hit.
-/// Returns None if drawing the later steps takes too many operations.
+/// Says which step after step 2 is the first whose picture shows the effect of the lines, or that no
+/// picture does. Step 2's own picture can't, because it depends on whether a ray meets the ball, but
+/// not on the t of the hit. Returns None if drawing the later steps takes too many operations.
 fn describe_effect_on_later_steps(edit: &Edit) -> Option<String> {
     let lines = edit.compile_lines().ok()?;
     let blind = "This picture can't show what you changed here: it shows whether a ray meets the \
@@ -211,7 +214,8 @@ mod tests {
         lines.map(|(place, text)| EditedLine { place: place.to_owned(), text: text.to_owned() })
     }
 
-    /// Replies to a request to draw these lines. Each is the name of its place and its text.
+    /// Replies to a request to draw these lines. Each line is given as the name of its place and its
+    /// text.
     fn reply<const N: usize>(columns: u32, lines: [(&str, &str); N]) -> Reply {
         edit(columns, &edited_lines(lines)).expect("the request is valid")
     }

@@ -9,7 +9,7 @@ use thiserror::Error;
 
 /// A request from a page. Some requests come with a file.
 ///
-/// Each module only knows the requests that it replies to, which keeps its code small.
+/// Each module knows only the requests that it replies to, which keeps its code small.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Request {
     /// Loads the texts of the mistakes from the file, because they aren't compiled into any module.
@@ -337,8 +337,8 @@ mod tests {
         }
     }
 
-    /// Fails if a request is renamed only here. Without this test, the first failure would be in a
-    /// browser.
+    /// Fails if a request is renamed only in Rust. Without this test, the first failure would be in
+    /// a browser.
     #[test]
     fn each_request_that_scripts_send_is_known() {
         let types = include_str!("../../../../tests/browser/theme.d.ts");

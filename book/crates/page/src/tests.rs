@@ -1,5 +1,5 @@
 //! Compares the fields of replies with the types in tests/browser/theme.d.ts, on which the pages'
-//! scripts rely. If a field were renamed only here, a script would read it as `undefined`.
+//! scripts rely. If a field were renamed only in Rust, a script would read it as `undefined`.
 
 use crate::json::Json;
 use crate::reply;

@@ -48,7 +48,7 @@ struct EditedPicture {
 thread_local! {
     /// The context of the picture that this thread is drawing. While the thread draws nothing, no
     /// place counts as edited. The context is thread-local because the steps' functions have no
-    /// parameter for it. They can't get one, because the book shows these functions. Everything
+    /// parameter for it. They can't get such a parameter, because the book shows them. Everything
     /// else is passed as an argument.
     static CONTEXT: Context = const {
         Context {
@@ -113,8 +113,8 @@ fn evaluate_line<T: Default + TryFrom<Value>>(place_index: usize, variables: &[V
     value.and_then(|value| T::try_from(value).ok()).unwrap_or_default()
 }
 
-/// Replaces `debug_assert!` in the copied steps. If `condition` is false, a development build of
-/// the reader's program would panic, so this function refuses the first line. The refusal stops the
+/// Replaces `debug_assert!` in the copied steps. If `condition` is false, a debug build of the
+/// reader's program would panic, so this function refuses the first line. The refusal stops the
 /// drawing.
 pub fn assert_or_refuse_first_line(condition: bool, sentence: &'static str) {
     if condition {

@@ -86,9 +86,10 @@ impl Evaluation {
     }
 
     /// Spends some of the picture's operations. Each evaluation of a function, a method, an
-    /// operator or a branch costs one operation, since all of these take about equally long. Only a
-    /// remainder may cost more. The line as a whole costs one more operation. We count operations
-    /// instead of measuring time, so that every machine refuses the same lines.
+    /// operator or a branch costs one operation, since all of these take about equally long. The
+    /// exception is a remainder, which can cost more than one. In addition, each evaluation of a
+    /// line costs one operation. We count operations instead of measuring time, so that every
+    /// machine refuses the same lines.
     #[inline]
     pub fn spend(&mut self, operations: u64) -> Result<(), Interruption> {
         match self.operations_left.checked_sub(operations) {

@@ -10,14 +10,14 @@ use std::f64::consts;
 /// A function, method or operator with given parameter types. In the table, each overload has an
 /// entry of its own.
 pub struct Function {
-    /// The kind of operation that calls it. A method can also be called by its path.
+    /// The kind of operation that calls the function. A method can also be called by its path.
     pub kind: OperationKind,
-    /// The name in such an operation: for the method `f64::max`, it is `max`.
+    /// The name of the function in such an operation. For the method `f64::max`, this is `max`.
     pub name: &'static str,
-    /// The types of its parameters. A constant has none. A method or a field belongs to the first
-    /// of these types.
+    /// The types of the parameters. A constant has no parameters. For a method or a field, the
+    /// first of these types is the type that it belongs to.
     pub parameters: &'static [ValueType],
-    /// The type of its result.
+    /// The type of the result.
     pub result: ValueType,
     /// Computes the result. Returns None if the reader's program would panic.
     pub apply: fn(&[Value]) -> Option<Value>,
@@ -73,7 +73,8 @@ pub fn remainder_operations(values: &[Value]) -> u64 {
     }
 }
 
-/// Functions that have no result for the arguments with which the reader's program would panic.
+/// Functions that have a result only for some arguments. For any other arguments, the reader's
+/// program would panic.
 macro_rules! partial_functions {
     ($(
         $kind:ident $name:expr,
@@ -203,8 +204,8 @@ static FUNCTIONS: &[&[Function]] = &[
     },
     math_constants!(PI TAU E FRAC_PI_2 FRAC_PI_3 FRAC_PI_4 FRAC_PI_6 FRAC_PI_8 FRAC_1_PI FRAC_2_PI
         SQRT_2 FRAC_1_SQRT_2 LN_2 LN_10),
-    // In a development build, integer operators panic on overflow and on division by 0, and `clamp`
-    // panics unless `min <= max`.
+    // These functions have no result where a debug build of the reader's program would panic:
+    // integer operators on overflow or division by 0, and `clamp` unless `min <= max`.
     partial_functions! {
         Sign "+", (a: I32, b: I32) -> I32 = a.checked_add(b);
         Sign "-", (a: I32, b: I32) -> I32 = a.checked_sub(b);

@@ -39,7 +39,7 @@ impl OperationKind {
 pub struct Operation<'a> {
     pub kind: OperationKind,
     /// What distinguishes the operation from others of its kind: the path, the name of the method
-    /// or field, the sign, the type of the cast, or the index. For an array, it is empty.
+    /// or field, the sign, the type of the cast, or the index. For an array, the name is empty.
     pub name: String,
     pub operands: Vec<&'a Expr>,
     /// The range of the name in the line.

@@ -12,7 +12,7 @@ use syn::Lit;
 /// A compiled part of a line.
 pub struct Part {
     pub code: Code,
-    /// The byte range in the line from which the part was compiled.
+    /// The part's byte range in the line.
     pub range: Range<usize>,
 }
 
@@ -21,8 +21,8 @@ pub struct Part {
 pub struct Code {
     pub computation: Computation,
     pub value_type: ValueType,
-    /// Whether the value comes only from literals without a suffix, such as 2.0. Rust hasn't
-    /// inferred the type of such a value yet, so no method can be called on it.
+    /// Whether the value comes only from unsuffixed literals such as `2.0`. Rust hasn't inferred
+    /// the type of such a value yet, so no method can be called on it.
     pub has_ambiguous_type: bool,
 }
 

@@ -63,7 +63,7 @@ pub enum Fault {
     MissingAfter,
     #[error("Something is missing before this, such as a value, * or +.")]
     MissingBefore,
-    #[error("A value is missing before this. Powers are .powi(2).")]
+    #[error("A value is missing before this. For a power, write .powi(2).")]
     Dereference,
     #[error("Leave out the &.")]
     Reference,

@@ -189,7 +189,7 @@ impl Compiler<'_> {
             }
             Some(function) => self.explain_wrong_operands(call, function.parameters),
             None if call.name.contains(char::is_alphanumeric) => self.explain_unknown_name(call),
-            // What is called isn't a name, as in `_(d)` or `()(d)`.
+            // The expression in front of the arguments isn't a name, as in `_(d)` or `()(d)`.
             None => {
                 let fault = Fault::Operator(call.name.to_owned());
                 Refusal { range: call.name_range.clone(), fault }
@@ -308,8 +308,8 @@ impl Compiler<'_> {
     }
 
     /// Explains that there is no such name. The explanation offers a method or a similar name, or
-    /// lists the names that exist. If the line calls the name as a function, the operands are the
-    /// arguments.
+    /// lists the names that exist. A call has operands only if the line uses the name as a
+    /// function. The operands are then the function's arguments.
     fn explain_unknown_name(&self, call: &Call) -> Refusal {
         let Call { syntax, name, operands, .. } = *call;
         if let Some(cure) = self.write_as_method(name, operands) {
@@ -403,8 +403,8 @@ impl Compiler<'_> {
         names.next().unwrap_or(name_without_spaces).to_owned()
     }
 
-    /// Refuses a chain such as `hit.object.name` if it begins like one of the place's names, but
-    /// contains none of these names.
+    /// Refuses a chain such as `hit.object.name` if a known name, such as `hit.t`, begins with the
+    /// same word, but the chain doesn't begin with any whole known name.
     pub fn refuse_unknown_chain(&self, syntax: &Expr) -> Option<Refusal> {
         let mut links = vec![syntax];
         while let Some(inner) = links.last().and_then(|link| match link {

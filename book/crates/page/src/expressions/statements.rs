@@ -130,7 +130,7 @@ impl Compiler<'_> {
         Ok(Part { code: Code { computation, ..code }, range })
     }
 
-    /// Refuses the value of a `let` if the `let` names a different type.
+    /// Checks that the type in a `let` is known, and that the value has this type.
     fn check_type(&self, ident: &Ident, type_name: &Type, value: &Part) -> Result<(), Refusal> {
         let name = type_name.to_token_stream().to_string().replace(' ', "").replace(';', "; ");
         let Some(wanted) = ValueType::from_name(&name) else {
@@ -179,7 +179,7 @@ impl Compiler<'_> {
         Refusal { range, fault: Fault::Assignment { left, cure } }
     }
 
-    /// Adds a name that `let` gives to a value. Refuses a name that is taken, reserved or
+    /// Adds the name and the value that a `let` binds. Refuses a name that is taken, reserved or
     /// capitalised.
     fn add_name(&mut self, ident: &Ident, value: Code) -> Result<(), Refusal> {
         let name = ident.to_string();

@@ -123,6 +123,7 @@ mod tests {
     use super::*;
     use syn::Expr;
 
+    /// Explains the syntax error in this text.
     fn explain(text: &str) -> (Range<usize>, Fault) {
         let error = syn::parse_str::<Expr>(text).err().expect("a fault");
         let Refusal { range, fault } =

@@ -1,5 +1,6 @@
-//! Applies the cures to the lines in lines.txt, and writes each line that is then accepted into a
-//! copy of its step. The copies have to compile, and have to draw the same pictures as a page.
+//! Applies the cures to the lines in lines.txt. Each line that is then accepted is written into a
+//! copy of its step. The copies must compile, and must draw the same pictures that a page of the
+//! book draws from these lines.
 
 use crate::lines::cure_line;
 use course::{
@@ -12,15 +13,15 @@ use std::fs;
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::Path;
 
-/// The manifest of a program that consists of these copies, without the dependencies.
+/// The manifest of the program that contains the copies. The dependencies are added later.
 const MANIFEST: &str = r#"
 workspace = {}
 package = { name = "lines", edition = "2024" }
 profile.dev = { debug = false, incremental = false }
 "#;
 
-/// The beginning of this program's main file. What follows calls `print_hash` with the picture of
-/// each line.
+/// The beginning of the program's main file. The modules and the calls of `print_hash` are appended
+/// to it, with one call for each line.
 const MAIN: &str = "#![allow(warnings)]
 use std::hash::{DefaultHasher, Hash, Hasher};
 

@@ -1,6 +1,6 @@
 //! Compares how we and rustc evaluate a thousand random lines. We must refuse any line that rustc
-//! refuses, or that panics in a development build. Every value that we compute must equal rustc's
-//! to the last bit.
+//! refuses, or that panics in a debug build. Every value that we compute must equal rustc's to the
+//! last bit.
 
 use crate::lines::cure_line;
 use course::{Place, ValueType, cargo_command, target_folder, workspace};
@@ -53,7 +53,8 @@ fn write_random_line(rng: &mut Rng, type_initial: &str, depth: usize) -> String 
     text
 }
 
-/// Compiles the lines with rustc and returns the value of each, or None if rustc refuses the line.
+/// Compiles the lines with rustc and runs them. Returns the value of each line, `stop` if the line
+/// panics, or None if rustc refuses the line.
 fn evaluate_with_rustc(lines: &[(&str, String)]) -> Vec<Option<String>> {
     let folder = target_folder().join("judge");
     fs::create_dir_all(folder.join("src")).expect("a folder");

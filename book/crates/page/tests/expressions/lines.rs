@@ -36,7 +36,8 @@ pub fn cure_line(place: &Place, text: &str) -> String {
         let Err(Refusal { range, fault }) = compile_line(place, &cured) else { break };
         if let Some(Range { start, end }) = last {
             let is_in_cure = start <= range.start && range.end <= end;
-            // A wrong type isn't the cure's fault: the code around it may require a different type.
+            // A wrong type isn't the cure's fault: the code around the cure may require a different
+            // type.
             let is_type_mismatch =
                 matches!(fault, Fault::WholeNumber { .. } | Fault::Mismatch { .. });
             assert!(!is_in_cure || is_type_mismatch, "{text}, cured: {cured}: {fault}");
@@ -67,7 +68,8 @@ fn draw(place_name: &str, text: &str) -> Result<(), Refusal> {
     draw_within(place_name, text, 30_000)
 }
 
-/// Draws a small picture with this text at a place. The picture may take `operations`.
+/// Draws a small picture with this text at a place. The text may take at most `operations` for the
+/// whole picture.
 fn draw_within(place_name: &str, text: &str, operations: u64) -> Result<(), Refusal> {
     let place = all_listed_places().into_iter().find(|place| place.name == place_name);
     let line = compile_line(&place.expect("a place"), text)?;
@@ -111,8 +113,8 @@ fn text_longer_than_250_bytes_is_refused() {
     assert!(draw("a", &(longest + " ")).is_err());
 }
 
-/// Returns the text of the reply to these edited lines. Each is given as the name of its place and
-/// its text.
+/// Returns the text of the reply to these edited lines. Each line is given as the name of its place
+/// and its text.
 fn reply_text(lines: &[(&str, &str)]) -> String {
     let lines = lines
         .iter()

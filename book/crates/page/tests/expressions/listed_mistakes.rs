@@ -42,8 +42,8 @@ fn places_and_listed_mistakes_are_drawn_by_an_edited_line() {
     assert!(10 * refusals.len() < count, "too many of {count} lines are refused:\n{refused_lines}");
 }
 
-/// Returns the known texts for `place`, each with the hash of the picture that it draws. They are
-/// the book's code, and the code of every mistake that changes only this place.
+/// Returns the book's code for `place`, and the code of every mistake that changes only this place.
+/// Each code comes with the hash of the picture that it draws.
 fn right_and_mistaken_codes_with_hashes(place: &Place) -> Vec<(String, u64)> {
     let path = format!("steps/{}", place.file);
     let text = fs::read_to_string(workspace().join(&path)).expect("a file");
