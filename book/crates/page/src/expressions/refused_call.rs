@@ -451,9 +451,8 @@ impl Compiler<'_> {
     }
 
     /// Refuses a call such as `direction_colour(ray)`, in which the function is unknown and an
-    /// argument isn't a value by itself. Also refuses a call of an unknown function without
-    /// arguments. Without this check, the reader would be told about the argument, although it's
-    /// the function that can't be used here.
+    /// argument isn't a value by itself. Without this check, the reader would be told about the
+    /// argument, although it's the function that can't be used here.
     pub fn refuse_unknown_function_of_unknown_chain(&self, syntax: &Expr) -> Option<Refusal> {
         let Expr::Call(call) = syntax else { return None };
         let name = write_without_spaces(&call.func);
@@ -465,9 +464,9 @@ impl Compiler<'_> {
             return None;
         }
         let mut arguments = call.args.iter();
-        let has_no_value = call.args.is_empty()
-            || arguments.any(|argument| self.refuse_unknown_chain(argument).is_some());
-        has_no_value.then(|| {
+        let has_unknown_chain =
+            arguments.any(|argument| self.refuse_unknown_chain(argument).is_some());
+        has_unknown_chain.then(|| {
             let name_range = range_of(&call.func);
             let kind = OperationKind::Path;
             self.explain_unknown_name(&Call {
