@@ -89,8 +89,8 @@
             /** @type {ModuleRequest} */
             const request = scene ? { request: "check-scene", fileName: file.name, person: scene }
                 : { request: "check", fileName: file.name, picture: expected };
-            // `check` refuses files of more than 2 ** 26 bytes, so the rest of such a file isn't
-            // needed.
+            // `check` refuses files of more than 2 ** 26 bytes. Read at most one byte more, which is
+            // enough for `check` to refuse the file.
             Promise.all([book.modules.compile("check"), file.slice(0, 2 ** 26 + 1).arrayBuffer()])
                 .then(parts => asked.postMessage([...parts, request]), fail);
         };
@@ -110,8 +110,8 @@
     const forms = document.querySelectorAll("form[data-check]");
     const droppers = new Map([...forms].map(form => [form, activate(form)]));
 
-    // Returns how far the height `y` is above or below a form. The distance is 0 between the form's
-    // top and bottom.
+    // Returns the vertical distance from `y` to a form, or 0 if `y` is between the form's top and
+    // bottom.
     /** @param {HTMLFormElement} form @param {number} y */
     function findDistance(form, y) {
         const { top, bottom } = form.getBoundingClientRect();

@@ -8,12 +8,11 @@
     // drawn with fewer columns. Once nothing has moved for REST milliseconds, it is drawn with all
     // columns.
     const FRAME = 60, REST = 150;
-    // At rest, the cover's picture is drawn with as many columns as the printed picture has. If
-    // that takes longer than this many milliseconds, it is drawn with fewer columns.
+    // At rest, the cover's picture is drawn with as many columns as the image in the page's HTML.
+    // If that takes longer than LONGEST_REST_FRAME milliseconds, it is drawn with fewer columns.
     const LONGEST_REST_FRAME = 300;
 
-    // An address that chooses a pixel ends with this prefix, followed by the pixel's column and
-    // row.
+    // In an address that chooses a pixel, this prefix precedes the pixel's column and row.
     const PIXEL = "#pixel=";
 
     /** @param {string} hash */
@@ -111,15 +110,15 @@
             // How many milliseconds it takes to draw the picture with all columns. This is a guess
             // until the picture has been drawn.
             this.wholeTime = 2 * FRAME;
-            // The shortest time so far. It's the most reliable time, because interruptions can only
-            // make a time longer.
+            // The shortest `wholeTime` so far. It's the most reliable, because interruptions can
+            // only make a time longer.
             this.leastTime = Infinity;
             this.restTimer = 0;
             this.addressTimer = 0;
             this.frame = 0;
         }
 
-        // Finds the other parts of the page that depend on the values.
+        // Finds the parts of the page outside the figure that depend on the figure's values.
         findReadouts() {
             const { name } = this;
             this.panel = /** @type {HTMLDetailsElement} */ (document.querySelector(`[data-panel="${name}"]`));
@@ -145,7 +144,7 @@
             this.values = { ...this.values, [id]: value };
         }
 
-        // Whether there is something to show with this value.
+        // Whether the figure can show anything with this value of a parameter.
         /** @param {string} id @param {number} value */
         canShow(id, value) {
             try {
@@ -169,8 +168,8 @@
             this.frame = requestAnimationFrame(() => this.drawMoving(gesture));
         }
 
-        // Finds the controls, which the builder has printed. A parameter has a slider or a switch,
-        // and a field for a number.
+        // Finds the controls that the builder has written into the page. A parameter has either a
+        // switch, or a slider, a number field or both.
         findControls() {
             /** @type {Map<string, Control>} */
             this.parameterControls = new Map();
@@ -362,8 +361,8 @@
             window.CSS.highlights?.set("changed", new Highlight(...ranges));
         }
 
-        // Writes into the line below the picture what the ray through the probe's pixel meets, and
-        // what colour the pixel has. Until a pixel is chosen, this line contains the hint.
+        // Describes the probe's pixel in the line below the picture: what the pixel's ray meets,
+        // and the pixel's colour. Until a pixel is chosen, this line contains the hint.
         /** @param {Record<string, string>} readouts */
         showPixel({ i, j, object, seen, bytes }) {
             this.probe.element.setAttribute("aria-valuetext", `column ${i}, row ${j}: ${seen}, colour ${bytes}`);
@@ -401,7 +400,8 @@
             this.addressTimer = setTimeout(() => writeHash(PIXEL + this.pixel), REST);
         }
 
-        // Makes the next pixel that is shown count as a choice, even if it's the same as before.
+        // Treats the next pixel shown as chosen by the reader, even if it's the same pixel as
+        // before.
         choosePixelAgain() {
             this.isPixelChosenAgain = true;
         }
@@ -462,7 +462,7 @@
 
     // An ordinary figure becomes interactive when it comes near the view. A preview becomes
     // interactive only when a reader points at it. The module isn't loaded any earlier. If loading
-    // fails, the page says why, and tries again after five seconds, once the figure is near the
+    // fails, the page says why. After five seconds, it tries again as soon as the figure is near the
     // view.
     /** @param {HTMLElement} root */
     book.activateFigure = async root => {

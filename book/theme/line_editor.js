@@ -95,8 +95,8 @@
         code.addEventListener("input", drawSoon);
     }
 
-    // Returns the text of a line. For some of the spaces that a reader types, browsers insert
-    // no-break spaces.
+    // Returns the text of a line, with ordinary spaces in place of no-break spaces. Browsers insert
+    // a no-break space for some of the spaces that a reader types.
     /** @param {EditedLine} line */
     const readText = line => line.textContent.replace(/\u00a0/g, " ");
     /** @param {EditedLine} line */
@@ -272,7 +272,7 @@
     }
 
     // Scrolls so that the line and the panel are in view. If the panel is below the listing, leaves
-    // room for it, so that it doesn't cover the line.
+    // room for the panel, which would otherwise cover the line.
     function keepInView() {
         if (!selected) return;
         const isBeside = panel.getBoundingClientRect().left >= selected.closest("pre").getBoundingClientRect().right;

@@ -6,7 +6,7 @@
     // as many columns and then scaled down, which smooths its edges.
     const KEPT_COLUMNS = 1920;
 
-    // An address that opens a scene ends with this prefix, followed by the scene's values.
+    // In an address that opens a scene, this prefix precedes the scene's values.
     const SCENE = "#scene=";
 
     /** @typedef {(words: string, act: () => void) => HTMLButtonElement} AddTool */
