@@ -30,7 +30,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     assert!(places.len() <= u64::BITS as usize, "places.txt has more places than a u64 has bits");
     let out = env::var("OUT_DIR")?;
     let mut modules = String::new();
-    for (name, text) in source_files()? {
+    for (name, text) in read_step_sources()? {
         let step = name.split('/').next().unwrap_or_default();
         let module = format!("expressions::steps::{step}");
         let copy = match &*name {
@@ -49,7 +49,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 
 /// Returns the text of each of the steps' source files, keyed by a path such as
 /// `step01_rays/src/ray.rs`. The map is sorted, so that the copy is the same on every machine.
-fn source_files() -> Result<BTreeMap<String, String>, Box<dyn Error>> {
+fn read_step_sources() -> Result<BTreeMap<String, String>, Box<dyn Error>> {
     let mut files = BTreeMap::new();
     for step in read_dir(STEPS)? {
         for file in step?.path().join("src").read_dir().into_iter().flatten() {

@@ -63,7 +63,7 @@ struct Field {
 
 /// Returns the fields of an interface, or None if no interface has this name. Instead of a name,
 /// `type_name` may be an object type that is written out, such as `{ object: string | null }`.
-fn find_fields(type_name: &'static str) -> Option<Vec<Field>> {
+fn find_interface_fields(type_name: &'static str) -> Option<Vec<Field>> {
     let inside = type_name.strip_prefix('{').and_then(|rest| rest.strip_suffix('}'));
     let (mut fields, body) = match inside {
         Some(body) => (vec![], body),
@@ -72,7 +72,7 @@ fn find_fields(type_name: &'static str) -> Option<Vec<Field>> {
             let (parent, rest) = rest.split_once("{\n").expect(type_name);
             let (body, _) = rest.split_once("\n}\n").expect(type_name);
             let parent = parent.trim().strip_prefix("extends ");
-            (parent.and_then(find_fields).unwrap_or_default(), body)
+            (parent.and_then(find_interface_fields).unwrap_or_default(), body)
         }
     };
     let lines = body.split(';').filter(|line| !line.trim().is_empty());
@@ -101,7 +101,7 @@ impl Comparison {
     /// Compares the names of an object's fields with the names in its type. Also compares each
     /// object in the object's lists.
     fn compare(&mut self, type_name: &'static str, object: &[(String, Json)]) {
-        let fields = find_fields(type_name).expect(type_name);
+        let fields = find_interface_fields(type_name).expect(type_name);
         self.types.insert(type_name);
         for (name, _) in object {
             if fields.iter().all(|field| field.name != name) {
@@ -113,7 +113,9 @@ impl Comparison {
                 Some((_, value)) => {
                     self.seen.insert(format!("{type_name}.{name}"));
                     let item_type = field_type.strip_suffix("[]");
-                    if let Some(item_type) = item_type.filter(|name| find_fields(name).is_some()) {
+                    if let Some(item_type) =
+                        item_type.filter(|name| find_interface_fields(name).is_some())
+                    {
                         for item in value.array().expect(name) {
                             self.compare(item_type, &item.object().expect(item_type));
                         }
@@ -128,7 +130,7 @@ impl Comparison {
     /// Returns all faults, including each field that no reply had.
     fn into_faults_with_unseen_fields(mut self) -> Vec<String> {
         for type_name in self.types {
-            for Field { name, .. } in find_fields(type_name).expect(type_name) {
+            for Field { name, .. } in find_interface_fields(type_name).expect(type_name) {
                 let field = format!("{type_name}.{name}");
                 if !self.seen.contains(&field) {
                     self.faults.push(format!("No reply has {field}."));
@@ -141,7 +143,7 @@ impl Comparison {
 
 #[test]
 fn replies_have_the_fields_that_the_scripts_expect() {
-    let kinds = find_fields("ModuleReplies").expect("the replies");
+    let kinds = find_interface_fields("ModuleReplies").expect("the replies");
     let mut comparison = Comparison::default();
     let mut requested = BTreeSet::new();
     for &(request, file) in &*REQUESTS {

@@ -240,7 +240,7 @@ mod tests {
 
     /// Evaluates a line with `x` = 0.5 and `k` = 0. Returns None if the reader's program would
     /// panic.
-    fn evaluate(value_type: ValueType, text: &str) -> Option<Value> {
+    fn evaluate_with_sample_variables(value_type: ValueType, text: &str) -> Option<Value> {
         let mut evaluation = crate::expressions::evaluation::Evaluation::new(1000);
         let computation = compile(value_type, text).expect("the line compiles");
         evaluation.evaluate(&computation, &[Value::F64(0.5), Value::I32(0)]).ok()
@@ -259,7 +259,7 @@ mod tests {
     #[test]
     fn let_takes_the_next_slot_and_gives_it_back() {
         let text = "{ let a = x + x; ({ let b = a * a; b + a }) - { let c = 8.0 * x; c } }";
-        assert_eq!(evaluate(ValueType::F64, text), Some(Value::F64(-2.0)));
+        assert_eq!(evaluate_with_sample_variables(ValueType::F64, text), Some(Value::F64(-2.0)));
     }
 
     #[test]
@@ -269,9 +269,9 @@ mod tests {
             "k != 0 && 1 / k > 0",
             "if k == 0 { x < 1.0 } else { 1 / k > 0 }",
         ] {
-            assert!(evaluate(ValueType::Bool, text).is_some(), "{text}");
+            assert!(evaluate_with_sample_variables(ValueType::Bool, text).is_some(), "{text}");
         }
-        assert_eq!(evaluate(ValueType::Bool, "1 / k > 0"), None);
+        assert_eq!(evaluate_with_sample_variables(ValueType::Bool, "1 / k > 0"), None);
     }
 
     #[test]

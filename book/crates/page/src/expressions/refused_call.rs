@@ -30,7 +30,7 @@ pub struct Call<'a> {
 
 impl Call<'_> {
     /// The types of the operands.
-    fn types(&self) -> Vec<ValueType> {
+    fn operand_types(&self) -> Vec<ValueType> {
         self.operands.iter().map(|operand| operand.code.value_type).collect()
     }
 
@@ -147,7 +147,7 @@ impl Compiler<'_> {
     /// If the call would be valid with a different type for a single operand, explains that this
     /// operand has the wrong type. Otherwise returns None.
     fn explain_single_wrong_type(&self, call: &Call) -> Option<Refusal> {
-        let types = call.types();
+        let types = call.operand_types();
         let mut wanted_types = ValueType::ALL;
         if types.contains(&ValueType::Array) {
             // An array is most likely meant to be a vector, so try vectors first.
@@ -272,7 +272,7 @@ impl Compiler<'_> {
             return Refusal { range: range_of(syntax), fault: Fault::Into { cure } };
         }
         let name = format!(".{member}");
-        let types = call.types();
+        let types = call.operand_types();
         let mut candidates = name_and_synonyms(member)
             .into_iter()
             .filter(|name| find_function(OperationKind::Method, name, &types).is_some());
