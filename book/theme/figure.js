@@ -174,22 +174,47 @@
             /** @type {Map<string, Control>} */
             this.parameterControls = new Map();
             if (this.isPreview) return;
-            for (const parameter of this.about.parameters) {
-                const element = this.controls.querySelector(`[data-parameter="${parameter.id}"]`);
-                /** @type {HTMLInputElement[]} */
-                const inputs = [...element.querySelectorAll("input")];
-                inputs.forEach(input => this.followInput(input, parameter));
-                const control = { element, inputs, output: element.querySelector("b"), object: element.dataset.object };
-                this.parameterControls.set(parameter.id, control);
-            }
             this.objectSelect = /** @type {HTMLSelectElement} */ (this.controls.querySelector(".choice select"));
             this.objectSelect?.addEventListener("change", () => this.selectObject(this.objectSelect.value));
             this.reset = /** @type {HTMLButtonElement} */ (this.controls.querySelector(".reset"));
+            for (const parameter of this.about.parameters) {
+                const element = this.findPrintedControl(parameter.id) ?? this.copyControl(parameter);
+                const inputs = [...element.querySelectorAll("input")];
+                const control = { element, inputs, output: element.querySelector("b"), object: element.dataset.object };
+                this.parameterControls.set(parameter.id, control);
+            }
+            // Only now, because a copy has to be like a control that was printed.
+            for (const parameter of this.about.parameters) {
+                for (const input of this.controlOf(parameter.id).inputs) this.followInput(input, parameter);
+            }
             this.reset.addEventListener("click", () => {
                 this.values = this.defaults;
                 if (this.probe) this.forgetPixel();
                 this.draw();
             });
+        }
+
+        /** @param {string} id @returns {HTMLElement | null} */
+        findPrintedControl(id) {
+            return this.controls.querySelector(`[data-parameter="${id}"]`);
+        }
+
+        // Copies the control of another object. In an editable scene, the builder prints the
+        // controls of the first sphere and the first light only. All spheres have the same
+        // parameters, and so have all lights.
+        /** @param {ParameterAbout} parameter */
+        copyControl({ id, min, max, step }) {
+            const beginId = (/** @type {string} */ object) => `${object.replaceAll(" ", "-")}-`;
+            const object = [...this.objectSelect.options].map(({ value }) => value).find(name => id.startsWith(beginId(name)));
+            const name = id.slice(beginId(object).length);
+            /** @type {NodeListOf<HTMLElement>} */
+            const printed = this.controls.querySelectorAll("[data-object]");
+            const model = [...printed].find(({ dataset }) => dataset.parameter === beginId(dataset.object) + name);
+            const copy = /** @type {HTMLElement} */ (model.cloneNode(true));
+            Object.assign(copy.dataset, { parameter: id, object });
+            for (const slider of copy.querySelectorAll("[type=range]")) Object.assign(slider, { min, max, step });
+            (copy.matches(".switch") ? this.reset : this.fault).before(copy);
+            return copy;
         }
 
         /** @param {string} id */

@@ -25,6 +25,9 @@ pub fn controls_html(figure: &Figure) -> String {
     let (mut folded, mut above, mut below) = (vec![], String::new(), String::new());
     for parameter in &figure.parameters {
         let control = Control { figure, parameter };
+        if control.is_left_to_script() {
+            continue;
+        }
         if control.is_folded() {
             folded.push(control);
         } else if parameter.kind == ParameterKind::Switch || figure.editable_scene.is_none() {
@@ -98,6 +101,21 @@ impl Control<'_> {
     /// the control doesn't depend on that choice.
     fn required_object(&self) -> Option<&'static str> {
         self.figure.editable_scene.as_ref().and(self.parameter.id.object())
+    }
+
+    /// Whether the page is printed without the control. In an editable scene, this is so if an
+    /// earlier object has parameters with the same names: book/theme/figure.js then copies the
+    /// controls of that object. Otherwise, two thirds of the page would be such copies.
+    fn is_left_to_script(&self) -> bool {
+        let parameters = &self.figure.parameters;
+        let names = |object: &str| -> Vec<_> {
+            let owned = parameters.iter().filter(|parameter| parameter.id.object() == Some(object));
+            owned.map(|parameter| parameter.id.name()).collect()
+        };
+        self.required_object().is_some_and(|object| {
+            let mut objects = parameters.iter().filter_map(|parameter| parameter.id.object());
+            objects.find(|other| names(other) == names(object)) != Some(object)
+        })
     }
 
     /// Whether the control is shown before the reader touches anything. In an editable scene, only
@@ -194,6 +212,25 @@ mod tests {
         );
         let unchosen = control_html("own_scene", "blue-sphere-radius");
         assert!(unchosen.contains("data-object=\"blue sphere\" hidden>"), "{unchosen}");
+    }
+
+    #[test]
+    fn each_control_that_is_left_to_the_script_has_a_printed_control_to_copy() {
+        let figure = find_figure("own_scene").expect("the figure exists");
+        let controls = figure.parameters.iter().map(|parameter| Control { figure, parameter });
+        let (left, printed): (Vec<_>, Vec<_>) = controls.partition(Control::is_left_to_script);
+        for Control { parameter, .. } in left {
+            let has_same_name = |printed: &&Control| {
+                let Parameter { id, .. } = printed.parameter;
+                id.object().is_some() && id.name() == parameter.id.name()
+            };
+            let model = printed.iter().find(has_same_name).expect("there is a printed control");
+            let text = |parameter: &Parameter| {
+                let Parameter { kind, symbol, label, unit, .. } = parameter;
+                format!("{kind:?} {symbol} {label} {unit}")
+            };
+            assert_eq!(text(model.parameter), text(parameter), "{}", parameter.id);
+        }
     }
 
     #[test]

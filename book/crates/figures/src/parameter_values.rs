@@ -39,6 +39,11 @@ impl ParameterId {
     pub fn object(self) -> Option<&'static str> {
         self.object
     }
+
+    /// The parameter's name, without its object.
+    pub fn name(self) -> &'static str {
+        self.name
+    }
 }
 
 impl Display for ParameterId {
