@@ -23,7 +23,7 @@ pub fn build(workspace: &Path, folder: &Path) -> Result<Site> {
     fs::create_dir_all(parent).with_context(|| format!("{} can't be created", parent.display()))?;
     let lock = open_lock(&parent.join("book.lock"))?;
     lock.lock()?;
-    restore_folder(folder)?;
+    restore_folder_and_remove_old_versions(folder)?;
     let draft = parent.join("book.draft");
     // If an earlier build was killed or found a fault, its draft may still be there.
     let _ = fs::remove_dir_all(&draft);
@@ -52,7 +52,7 @@ fn old_version_paths(folder: &Path) -> impl Iterator<Item = PathBuf> {
 
 /// If a killed build has moved a folder aside, moves it back. Removes all other old versions of the
 /// folder.
-fn restore_folder(folder: &Path) -> Result<()> {
+fn restore_folder_and_remove_old_versions(folder: &Path) -> Result<()> {
     for old_version in old_version_paths(folder).filter(|path| path.exists()) {
         if folder.exists() {
             let _ = fs::remove_dir_all(old_version);
@@ -109,7 +109,7 @@ fn postprocess_pages(files: &Files) -> Result<Vec<(String, String)>> {
         let html = unwrap_part_titles(html).with_context(|| name.to_owned())?;
         let mut html = inline_stylesheets(&html, files).with_context(|| name.to_owned())?;
         if name == "print.html" {
-            html = picture::load_all_pictures(&html);
+            html = picture::remove_lazy_loading(&html);
         }
         Ok((name.to_owned(), html))
     });
@@ -185,11 +185,11 @@ mod tests {
     fn book_that_a_killed_build_moved_aside_is_restored() {
         let (parent, _, book) = create_draft_and_old_book("put_aside");
         fs::rename(&book, book.with_extension("old1")).expect("the book can be moved aside");
-        restore_folder(&book).expect("the book can be moved back");
+        restore_folder_and_remove_old_versions(&book).expect("the book can be moved back");
         assert_eq!(read_index(&book), "old");
-        // If the book is in its place, `restore_folder` removes old versions.
+        // If the book is in its place, old versions are removed.
         fs::create_dir_all(book.with_extension("old2")).expect("the folder can be created");
-        restore_folder(&book).expect("old versions can be removed");
+        restore_folder_and_remove_old_versions(&book).expect("old versions can be removed");
         assert!(!book.with_extension("old2").exists());
         // If a path for old versions is taken, `replace_folder` uses another path.
         fs::create_dir_all(book.with_extension("old1")).expect("the folder can be created");

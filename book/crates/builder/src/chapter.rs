@@ -158,7 +158,7 @@ impl<'a> Chapter<'a> {
                 Event::Start(_) => {
                     nesting += 1;
                     if nesting == 1 {
-                        self.open_noted_block(range.start);
+                        self.open_wrapper_if_block_has_notes(range.start);
                     }
                 }
                 Event::End(_) => nesting -= 1,
@@ -183,15 +183,15 @@ impl<'a> Chapter<'a> {
         }
     }
 
-    /// Whether the block that begins at this position has notes. If so, `open_noted_block` has
-    /// opened a wrapper around the block.
+    /// Whether the block that begins at this position has notes. If so, it is already in a wrapper,
+    /// which `open_wrapper_if_block_has_notes` has opened.
     fn block_has_notes(&self, block_start: usize) -> bool {
         self.noted_blocks.iter().any(|block| block.start == block_start)
     }
 
     /// If a block with notes begins at this position, opens the wrapper around the block and its
     /// notes.
-    fn open_noted_block(&mut self, start: usize) {
+    fn open_wrapper_if_block_has_notes(&mut self, start: usize) {
         if self.block_has_notes(start) {
             self.copy_until(start);
             self.expanded.markdown += &note::wrapper_opening_html();
@@ -201,7 +201,7 @@ impl<'a> Chapter<'a> {
     /// Returns a block in a wrapper, so that a tool, such as the line editor, can open beside the
     /// block in the margin. A block with notes is returned unchanged, because it already has a
     /// wrapper.
-    fn ensure_margin_wrapper(&self, block: String, block_start: usize) -> String {
+    fn wrap_unless_block_has_notes(&self, block: String, block_start: usize) -> String {
         if self.block_has_notes(block_start) {
             block
         } else {
@@ -209,18 +209,18 @@ impl<'a> Chapter<'a> {
         }
     }
 
-    /// Returns the HTML of a note. If the note is the last of its block, the HTML also closes the
-    /// wrapper around the block and its notes.
-    fn expand_note(
+    /// Returns `note_html`. If the note is the last note of its block, the HTML that closes the
+    /// wrapper follows. Returns an error if there is no block for the note.
+    fn close_wrapper_after_last_note(
         &self,
-        html: ChapterResult<String>,
-        range: &Range<usize>,
+        note_html: ChapterResult<String>,
+        note_range: &Range<usize>,
     ) -> ChapterResult<String> {
-        let is_inside = |block: &&Range<usize>| block.contains(&range.start);
+        let is_inside = |block: &&Range<usize>| block.contains(&note_range.start);
         let block =
             self.noted_blocks.iter().find(is_inside).ok_or(ChapterError::NoteWithoutBlock)?;
-        let is_last = block.end == range.end;
-        html.map(|html| if is_last { html + &note::wrapper_closing_html() } else { html })
+        let is_last = block.end == note_range.end;
+        note_html.map(|html| if is_last { html + &note::wrapper_closing_html() } else { html })
     }
 
     /// Expands the part of the chapter that begins with this event.
@@ -250,14 +250,14 @@ impl<'a> Chapter<'a> {
             },
             Event::Start(Tag::Strong) => {
                 let position = self.copy_until_position_pair(range.start);
-                if let Some(answer) = self.boxes.open_answer() {
+                if let Some(answer) = self.boxes.open_answer_mut() {
                     answer.record_first_bold_start(position);
                 }
                 return Ok(Expansion::Keep);
             }
             Event::End(TagEnd::Strong) => {
                 let position = self.copy_until_position_pair(range.end);
-                if let Some(answer) = self.boxes.open_answer() {
+                if let Some(answer) = self.boxes.open_answer_mut() {
                     answer.record_first_bold_end(position);
                 }
                 return Ok(Expansion::Keep);
@@ -276,7 +276,7 @@ impl<'a> Chapter<'a> {
             Event::Code(code) if is_breakable_name(code) => markdown::code_with_break_hints(code),
             Event::Code(_) => numbers::fill_in_code(source, values)?,
             Event::Text(_) | Event::Html(_) | Event::InlineHtml(_) => {
-                self.report_lone_dollar(source, range.start);
+                self.report_first_unescaped_dollar(source, range.start);
                 let Some(first) = source.find("{{#") else { return Ok(Expansion::Keep) };
                 let source_location_markdown = self.source_location_markdown;
                 let text = replace_directives(&source[first..], |directive| match directive.kind {
@@ -290,9 +290,9 @@ impl<'a> Chapter<'a> {
         }))
     }
 
-    /// Adds a fault if `source` contains an unescaped $. `source` is text or HTML, and begins at
-    /// the position `start`.
-    fn report_lone_dollar(&mut self, source: &str, start: usize) {
+    /// Finds the first unescaped $ in `source`, and adds a fault for it. `source` is text or HTML,
+    /// and begins at the position `start`.
+    fn report_first_unescaped_dollar(&mut self, source: &str, start: usize) {
         let mut positions = source.match_indices('$').map(|(index, _)| start + index);
         if let Some(position) = positions.find(|k| !self.text[..*k].ends_with('\\')) {
             self.add_fault(position, ChapterError::LoneDollar);
@@ -324,7 +324,7 @@ impl<'a> Chapter<'a> {
                 self.sources,
                 &mut self.listings,
             )?;
-            if has_places { self.ensure_margin_wrapper(markdown, start) } else { markdown }
+            if has_places { self.wrap_unless_block_has_notes(markdown, start) } else { markdown }
         } else if language == "console" {
             console::console_markdown(fence_words, &content)?
         } else if language == "algorithm" {
@@ -350,7 +350,7 @@ impl<'a> Chapter<'a> {
         let values = &self.sources.values;
         Ok(Expansion::Replace(match kind {
             DirectiveKind::Note(kind) => {
-                self.expand_note(note::note_html(kind, words, values), range)?
+                self.close_wrapper_after_last_note(note::note_html(kind, words, values), range)?
             }
             DirectiveKind::Figure => figure::drawing_html(words, values)?,
             DirectiveKind::Check => check_form::check_form_html(words, self.sources)?,
@@ -449,7 +449,7 @@ impl<'a> Chapter<'a> {
                 self.boxes.await_panel(picture.name, range.start, has_notes) + &html
             }
             Some(Interaction::Live(picture)) if picture.editable_scene.is_some() => {
-                self.ensure_margin_wrapper(html, range.start)
+                self.wrap_unless_block_has_notes(html, range.start)
             }
             _ => html,
         }))

@@ -7,9 +7,9 @@ use std::path::Path;
 
 /// Returns all drawings, with default parameters, as SVG files such as `figure-row.svg`. Each file
 /// contains the theme's styles for drawings, in light colours.
-pub fn svg_files(workspace: &Path) -> Result<Vec<(String, Vec<u8>)>> {
+pub fn svg_files_of_drawings(workspace: &Path) -> Result<Vec<(String, Vec<u8>)>> {
     let read = |file| fs::read_to_string(workspace.join("book/theme/css").join(file));
-    let style = standalone_style(&read("drawing.css")?, &read("variables.css")?);
+    let style = drawing_rules_without_variables(&read("drawing.css")?, &read("variables.css")?);
     let files = FIGURES.iter().filter_map(|figure| {
         let Content::Drawing { title, .. } = figure.content else { return None };
         let html = figure.draw(&figure.default_values())?.html(title);
@@ -26,8 +26,8 @@ pub fn svg_files(workspace: &Path) -> Result<Vec<(String, Vec<u8>)>> {
 /// Returns the CSS rules that begin with `.drawing `, and removes that class from them. Replaces
 /// CSS variables with their values in the light theme, since few programs other than browsers
 /// support variables.
-fn standalone_style(rules: &str, variables: &str) -> String {
-    let rules = rules.lines().filter(|rule| rule.starts_with(".drawing "));
+fn drawing_rules_without_variables(stylesheet: &str, variables: &str) -> String {
+    let rules = stylesheet.lines().filter(|rule| rule.starts_with(".drawing "));
     let mut style: String = rules.map(|rule| rule.replace(".drawing ", "")).collect();
     let lines = variables.lines().map(str::trim);
     for (name, value) in lines.filter_map(|line| line.strip_suffix(';')?.split_once(": ")) {
@@ -45,8 +45,9 @@ mod tests {
     fn style_has_the_rules_of_drawings_with_values_in_place_of_variables() {
         let rules = ".drawing .ray { stroke: var(--ray); }\nbody { color: var(--text); }\n";
         let variables = ":root {\n    --ray: light-dark(#123, #456);\n}\n";
-        assert_eq!(standalone_style(rules, variables), ".ray { stroke: #123; }");
-        let plain = standalone_style(".drawing text { fill: var(--a); }", "--a: red;");
+        assert_eq!(drawing_rules_without_variables(rules, variables), ".ray { stroke: #123; }");
+        let plain =
+            drawing_rules_without_variables(".drawing text { fill: var(--a); }", "--a: red;");
         assert_eq!(plain, "text { fill: red; }");
     }
 }

@@ -64,7 +64,8 @@ fn addresses_in<'a>(page: &'a Page, element: &'a Element) -> Vec<(&'a str, &'a s
             "href" if element.tag == "base" => {}
             "href" | "src" => addresses.push((name, value)),
             "srcset" => {
-                let candidates = value.split(',').filter_map(|one| one.split_whitespace().next());
+                let candidates =
+                    value.split(',').filter_map(|candidate| candidate.split_whitespace().next());
                 addresses.extend(candidates.map(|address| (&**name, address)));
             }
             // These attributes contain text for readers, not addresses.

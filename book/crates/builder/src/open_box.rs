@@ -5,15 +5,15 @@
 //!
 //! | State | Directive | Next state |
 //! |---|---|---|
-//! | no box | `predict`, `hints`, `aside`, `answer` | simple box |
-//! | no box | `pixel-panel` | simple box |
+//! | no box | `predict`, `hints`, `aside`, `answer` | standalone box |
+//! | no box | `pixel-panel` | standalone box |
 //! | no box | `problem` | problem |
 //! | problem | `answer` | answer |
-//! | simple box, answer | `end` | no box |
+//! | standalone box, answer | `end` | no box |
 //!
 //! Any other directive for a box is an error. After an error in its first line, a box still counts
-//! as open. Otherwise its `{{#end}}` would be a second error. For the same reason, if a simple box
-//! begins in a problem before the answer, the simple box replaces the problem as the open box.
+//! as open. Otherwise its `{{#end}}` would be a second error. For the same reason, if a standalone
+//! box begins in a problem before the answer, it replaces the problem as the open box.
 //!
 //! A panel belongs to the last picture above it that has a probe. One wrapper contains both, so
 //! that the panel can be in the margin. [`Boxes::await_panel`] opens the wrapper before the
@@ -40,7 +40,7 @@ pub struct Boxes {
 enum OpenBox {
     /// A folded box, or the panel of a picture. It begins at `start` in the chapter, and `end_html`
     /// closes it.
-    Simple { start: usize, end_html: String },
+    Standalone { start: usize, end_html: String },
     /// A problem, up to its `{{#answer}}`.
     Problem(OpenProblem),
     /// The answer to a problem. One `{{#end}}` closes both the answer and the problem.
@@ -80,7 +80,7 @@ impl Boxes {
                 }
                 None => (Err(ChapterError::PanelWithoutPicture(name.to_owned())), String::new()),
             };
-        self.begin_simple_box(start, DETAILS_END.to_owned() + &wrapper_end_html)?;
+        self.begin_standalone_box(start, DETAILS_END.to_owned() + &wrapper_end_html)?;
         html
     }
 
@@ -101,21 +101,22 @@ impl Boxes {
             self.open = Some(OpenBox::Answer(problem.begin_answer(position)));
             html.map(|html| form.unwrap_or_default() + &html)
         } else {
-            self.begin_simple_box(position.in_text, DETAILS_END.to_owned())?;
+            self.begin_standalone_box(position.in_text, DETAILS_END.to_owned())?;
             html
         }
     }
 
-    fn begin_simple_box(&mut self, start: usize, end_html: String) -> ChapterResult<()> {
+    /// Opens a folded box or a panel, which `end_html` closes. Returns an error if a box is open.
+    fn begin_standalone_box(&mut self, start: usize, end_html: String) -> ChapterResult<()> {
         match &self.open {
             None => {
-                self.open = Some(OpenBox::Simple { start, end_html });
+                self.open = Some(OpenBox::Standalone { start, end_html });
                 Ok(())
             }
             // The next `{{#end}}` closes this box. Drop the problem, because it has no `{{#end}}`
             // of its own.
             Some(OpenBox::Problem(problem)) => {
-                self.open = Some(OpenBox::Simple { start: problem.start, end_html });
+                self.open = Some(OpenBox::Standalone { start: problem.start, end_html });
                 Err(ChapterError::MissingAnswer)
             }
             Some(_) => Err(ChapterError::BoxInBox),
@@ -139,7 +140,7 @@ impl Boxes {
     }
 
     /// The open box if it is the answer to a problem, or else None.
-    pub fn open_answer(&mut self) -> Option<&mut OpenAnswer> {
+    pub fn open_answer_mut(&mut self) -> Option<&mut OpenAnswer> {
         match &mut self.open {
             Some(OpenBox::Answer(answer)) => Some(answer),
             _ => None,
@@ -150,7 +151,7 @@ impl Boxes {
     /// returns the answer as well.
     pub fn end_box(&mut self) -> ChapterResult<(String, Option<OpenAnswer>)> {
         match self.open.take() {
-            Some(OpenBox::Simple { end_html, .. }) => Ok((end_html, None)),
+            Some(OpenBox::Standalone { end_html, .. }) => Ok((end_html, None)),
             Some(OpenBox::Answer(answer)) => {
                 Ok((DETAILS_END.to_owned() + "</section>\n", Some(answer)))
             }
@@ -164,7 +165,7 @@ impl Boxes {
     pub fn find_missing_parts(&self) -> Vec<(usize, ChapterError)> {
         let open = self.open.iter().map(|open| {
             let start = match open {
-                OpenBox::Simple { start, .. } => *start,
+                OpenBox::Standalone { start, .. } => *start,
                 OpenBox::Problem(problem) => problem.start,
                 OpenBox::Answer(answer) => answer.problem.start,
             };
@@ -237,7 +238,7 @@ mod tests {
         boxes.begin_problem(None, 2, position(4));
         boxes.ensure_problem_can_begin().expect_err("a problem is open");
         begin_folded_box(&mut boxes, BoxKind::Answer).expect("the answer can begin");
-        assert!(boxes.open_answer().is_some());
+        assert!(boxes.open_answer_mut().is_some());
         assert_eq!(missing_parts(&boxes), [format!("2: {}", ChapterError::MissingEndOfBox)]);
         assert_eq!(end_box(&mut boxes).as_deref(), Ok("</details>\n</section>\n"));
         boxes.ensure_problem_can_begin().expect("no box is open");

@@ -38,7 +38,7 @@ pub enum LoadingTime {
 impl LoadingTime {
     /// Returns how the next picture on a page is loaded. All pictures after that are loaded when
     /// they come into view.
-    pub fn next(&mut self) -> Self {
+    pub fn take_for_next_picture(&mut self) -> Self {
         mem::replace(self, Self::InView)
     }
 
@@ -53,7 +53,7 @@ impl LoadingTime {
 
 /// Changes the HTML of the page for printing so that every picture is loaded at once. A picture
 /// that is only loaded when it comes into view would be missing on paper.
-pub fn load_all_pictures(html: &str) -> String {
+pub fn remove_lazy_loading(html: &str) -> String {
     html.replace(&format!(" {}", LoadingTime::InView.html_attribute()), "")
 }
 
@@ -110,7 +110,7 @@ pub fn image_html(
             None => ChapterError::UnknownPicture(source),
         }
     })?;
-    let loading = loading.next();
+    let loading = loading.take_for_next_picture();
     let smaller = match loading {
         LoadingTime::AtOnce => sources.smaller_versions(source),
         // The page doesn't wait for a picture that is out of view, so the size of its file matters
@@ -183,7 +183,7 @@ mod tests {
     #[test]
     fn only_the_first_picture_is_loaded_at_once() {
         let mut loading = LoadingTime::AtOnce;
-        let order = [loading.next(), loading.next(), loading.next()];
+        let order = [(); 3].map(|()| loading.take_for_next_picture());
         assert_eq!(order, [LoadingTime::AtOnce, LoadingTime::InView, LoadingTime::InView]);
     }
 
@@ -216,6 +216,6 @@ mod tests {
     fn printed_page_loads_all_pictures() {
         let html = r#"<img src="a" loading="lazy"><img src="b" fetchpriority="high">"#;
         let printed = r#"<img src="a"><img src="b" fetchpriority="high">"#;
-        assert_eq!(load_all_pictures(html), printed);
+        assert_eq!(remove_lazy_loading(html), printed);
     }
 }

@@ -32,18 +32,21 @@ pub fn replace_between<E: From<MissingEnd>>(
 mod tests {
     use super::*;
 
-    fn replace(text: &str) -> Result<String, MissingEnd> {
+    fn upper_case_between_angle_brackets(text: &str) -> Result<String, MissingEnd> {
         replace_between(text, "<", ">", |inside| Ok(inside.to_uppercase()))
     }
 
     #[test]
     fn each_piece_is_replaced() {
-        assert_eq!(replace("a <b> c<d>").as_deref(), Ok("a B cD"));
-        assert_eq!(replace("a > b").as_deref(), Ok("a > b"));
+        assert_eq!(upper_case_between_angle_brackets("a <b> c<d>").as_deref(), Ok("a B cD"));
+        assert_eq!(upper_case_between_angle_brackets("a > b").as_deref(), Ok("a > b"));
     }
 
     #[test]
     fn piece_without_an_end_is_an_error() {
-        assert_eq!(replace("a <b> <c"), Err(MissingEnd { begin: "<", end: ">" }));
+        assert_eq!(
+            upper_case_between_angle_brackets("a <b> <c"),
+            Err(MissingEnd { begin: "<", end: ">" })
+        );
     }
 }

@@ -67,7 +67,7 @@ impl Sources {
                 .with_context(|| format!("the module {name}.wasm can't be read"))?;
             insert_bytes_as_script(files, &format!("{name}-module"), &module);
         }
-        files.extend(figure_file::svg_files(workspace)?);
+        files.extend(figure_file::svg_files_of_drawings(workspace)?);
         let texts = course::mistake_texts().map(|texts| texts.join()).unwrap_or_default();
         insert_bytes_as_script(files, "mistakes", texts.as_bytes());
         Ok(Self { workspace: workspace.to_owned(), generated, values: Values::default() })

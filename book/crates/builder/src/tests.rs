@@ -59,7 +59,7 @@ fn each_fault_is_reported_with_its_line() {
 
 /// The files are for slides, and not all programs for slides support CSS variables and functions.
 #[test]
-fn svg_files_of_figures_have_no_css_variables_or_functions() {
+fn svg_files_of_drawings_have_no_css_variables_or_functions() {
     let files: Vec<_> = SOURCES.generated.texts_with_suffix(".svg").collect();
     let is_drawing = |content: &Content| matches!(content, Content::Drawing { .. });
     assert_eq!(files.len(), FIGURES.iter().filter(|figure| is_drawing(&figure.content)).count());

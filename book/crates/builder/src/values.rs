@@ -99,16 +99,16 @@ fn whole_picture_number(name: &str) -> Option<usize> {
             let has_hit = |ray: &Ray| SPHERE.intersect(ray).first_hit().is_some();
             count_primary_rays(|ray| has_hit(ray) != has_hit(&unit_ray(ray)))
         }
-        "step03-hits" => primary_rays().map(|ray| hit_indices(&ray).count()).sum(),
+        "step03-hits" => primary_rays().map(|ray| indices_of_hit_objects(&ray).count()).sum(),
         "step03-last" => count_primary_rays(|ray| {
             let nearest = nearest(&OBJECTS, ray).map(|hit| hit.object);
-            hit_indices(ray).last().map(|k| &OBJECTS[k]) != nearest
+            indices_of_hit_objects(ray).last().map(|k| &OBJECTS[k]) != nearest
         }),
         // Object 4 is the sphere behind the eye. Rays meet it only at negative t, which `first_hit`
         // leaves out, so the discriminant decides.
         "step03-behind" => count_primary_rays(|ray| discriminant(&OBJECTS[4].sphere, ray) >= 0.0),
-        "step05-gate-pixels" => pixel_changes_without_gate().len(),
-        "step05-gate-most" => pixel_changes_without_gate().into_iter().max().unwrap_or(0),
+        "step05-gate-pixels" => sizes_of_pixel_changes_without_gate().len(),
+        "step05-gate-most" => sizes_of_pixel_changes_without_gate().into_iter().max().unwrap_or(0),
         _ => return None,
     })
 }
@@ -125,14 +125,14 @@ fn count_primary_rays(predicate: impl Fn(&Ray) -> bool) -> usize {
 }
 
 /// The indices, in `OBJECTS`, of the objects that a ray hits.
-fn hit_indices(ray: &Ray) -> impl Iterator<Item = usize> {
+fn indices_of_hit_objects(ray: &Ray) -> impl Iterator<Item = usize> {
     let has_hit = |k: &usize| OBJECTS[*k].sphere.intersect(ray).first_hit().is_some();
     (0..OBJECTS.len()).filter(has_hit)
 }
 
 /// Draws the picture without the gate, which is the test of n·l, and compares the result with the
 /// right picture. Returns the size of the change for each pixel that changes.
-fn pixel_changes_without_gate() -> Vec<usize> {
+fn sizes_of_pixel_changes_without_gate() -> Vec<usize> {
     let scene = scene();
     let ungated = render(&camera(), 1, |ray| colour_without_highlight_gate(&scene, ray));
     let picture = picture(&camera(), 1);
