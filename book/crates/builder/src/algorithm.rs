@@ -1,5 +1,5 @@
-//! Algorithms in words, from code fences marked `algorithm`. At the end of a line may be the name
-//! of the step that implements this line, such as `step 1`.
+//! Algorithms in words, from code fences marked `algorithm`. A line may end with the name of the
+//! step that implements the line, such as `step 1`.
 
 use course::escape_html;
 

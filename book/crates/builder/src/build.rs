@@ -34,8 +34,8 @@ pub fn build(workspace: &Path, folder: &Path) -> Result<Site> {
 }
 
 /// Opens the lock file without changing its contents, or creates it. Returns an error if anything
-/// but a regular file is at this path. That includes a symbolic link, because the link could lead
-/// out of the folder.
+/// but a regular file is at this path. Even a symbolic link is an error, because it could lead to a
+/// file in another folder.
 fn open_lock(path: &Path) -> Result<File> {
     let is_other = fs::symlink_metadata(path).is_ok_and(|metadata| !metadata.is_file());
     ensure!(!is_other, "{} isn't a regular file; remove it", path.display());
@@ -43,9 +43,9 @@ fn open_lock(path: &Path) -> Result<File> {
     lock.with_context(|| format!("{} can't be opened", path.display()))
 }
 
-/// Where the old version of a folder may be moved: paths beside the folder. One path isn't enough:
-/// while a program has an older version open, that version can't be removed, and its path isn't
-/// free.
+/// Returns the paths to which the old version of a folder may be moved. They are beside the folder.
+/// There are several: while a program has an older version open, that version can't be removed, and
+/// its path stays taken.
 fn old_version_paths(folder: &Path) -> impl Iterator<Item = PathBuf> {
     (1..=9).map(|number| folder.with_extension(format!("old{number}")))
 }
@@ -82,7 +82,7 @@ fn replace_folder(draft: &Path, folder: &Path) -> io::Result<()> {
 }
 
 /// Writes all pages into `folder`, and checks them. A fault in a chapter stops the build before any
-/// page is written. Broken links and misplaced tags can only be found once all pages exist.
+/// page is written. Links and tags are checked once all pages exist.
 fn write_and_check_pages(workspace: &Path, folder: &Path) -> Result<Site> {
     let sources = Arc::new(Sources::read(workspace)?);
     let mut book = MDBook::load(workspace.join("book")).context("the book can't be loaded")?;

@@ -148,6 +148,8 @@ impl<'a> Chapter<'a> {
         }
     }
 
+    /// Expands the whole chapter, from top to bottom. Adds a fault for each error, and then for
+    /// each panel or `{{#end}}` that is missing.
     fn expand_events(&mut self) {
         let mut nesting = 0;
         let parser = Parser::new_ext(self.text, markdown::markdown_options());
@@ -375,9 +377,9 @@ impl<'a> Chapter<'a> {
                 let position = self.copy_until_position_pair(range.start);
                 self.boxes.begin_folded_box(kind, position, html)?
             }
-            // The next event is the text of this paragraph. It fills in `value`, `number` and
-            // `our-folder`, which are allowed in any text. It reports the other directives as
-            // misplaced.
+            // The next event is the text of this paragraph. When that text is expanded, `value`,
+            // `number` and `our-folder` are filled in, since they are allowed in any text. The
+            // other directives are reported as misplaced.
             DirectiveKind::Value
             | DirectiveKind::Number
             | DirectiveKind::OurFolder

@@ -3,13 +3,13 @@
 use crate::Sources;
 use crate::fault::{ChapterError, ChapterResult};
 
-/// The value of `data-check` in a form that accepts any picture. In any other form, this value is
-/// the name of a picture. book/theme/check_form.js has the same constant.
+/// The value of `data-check` in a form that accepts any picture. In a form for a single picture,
+/// `data-check` is the name of that picture. book/theme/check_form.js has the same constant.
 const ANY_PICTURE: &str = "*";
 
-/// Returns the HTML for `{{#check name}}`: a form that says whether the picture that a reader drops
-/// there is right. If `picture_name` is empty, the form accepts any picture, and the name of the
-/// reader's file says which picture it should be.
+/// Returns the HTML for `{{#check name}}`: a form in which a reader drops a picture to learn
+/// whether it is right. If `picture_name` is empty, the form accepts any picture, and the name of
+/// the reader's file says which picture it should be.
 ///
 /// The HTML hides the form, since it doesn't work without scripts. If scripts are enabled,
 /// book/theme/css/live.css shows the form from the start.
@@ -19,8 +19,8 @@ pub fn check_form_html(picture_name: &str, sources: &Sources) -> ChapterResult<S
         "" => {
             scene_field = "<label>If your teacher gave you a scene, the name on its sheet: \
                            <input name=\"scene\" autocomplete=\"off\"></label>";
-            let words = "Drop the picture of a step or an exercise here, or choose its file, \
-                         whose name tells which it should be.";
+            let words = "Drop the picture of a step or an exercise here, or choose its \
+                         file. The file's name tells which picture it should be.";
             (ANY_PICTURE, words.to_owned())
         }
         name if sources.generated.0.contains_key(&format!("{name}.png")) => {
@@ -30,7 +30,7 @@ pub fn check_form_html(picture_name: &str, sources: &Sources) -> ChapterResult<S
     };
     Ok(format!(
         "<form class=\"check\" data-check=\"{checked_picture}\" hidden>\
-         <label><b>Is it right?</b> {words} It stays on your computer. \
+         <label><b>Is it right?</b> {words} The picture stays on your computer. \
          <input type=\"file\" accept=\"image/png\"></label>{scene_field}\
          <button type=\"reset\" class=\"reset\" disabled>Reset</button>\
          <output></output></form>\n"

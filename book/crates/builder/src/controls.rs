@@ -137,7 +137,8 @@ impl Control<'_> {
         let name = escape_html(format!("{symbol} {label}").trim());
         let slider =
             format!("<input type=\"range\" {range} value=\"{default}\" aria-label=\"{name}\">");
-        // book/theme/figure.js makes a text field of it, whose limits and step the module knows.
+        // book/theme/figure.js turns this into a text field. The field has no limits and no step,
+        // because the module knows them.
         let number = format!("<input type=\"number\" aria-label=\"{name}\" value=\"{default}\">");
         let label_element = label_html(symbol, label);
         let (class, content) = match self.parameter.kind {

@@ -9,7 +9,7 @@ use std::path::Path;
 /// The folder of the chapters, relative to the root of the workspace.
 pub const CHAPTERS: &str = "book/src/";
 
-/// Resolves a path relative to `base`. If `base` ends in `/`, it is a folder, and otherwise a file.
+/// Resolves `path` relative to `base`. A `base` that ends in `/` is a folder. Any other is a file.
 pub fn resolve_path(base: &str, path: &str) -> String {
     let mut parts: Vec<&str> = base.split('/').collect();
     parts.pop();

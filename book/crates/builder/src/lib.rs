@@ -29,7 +29,7 @@
 //!   has a *probe*, the handle that selects a pixel. The text in the box follows the computation of
 //!   the selected pixel from its ray to its three bytes, with a `number` for each intermediate
 //!   result. In a table in the box, `rows` becomes one row for each sphere, or one row for each ray
-//!   if there are mirrors. Its words are the name of the picture and the columns of the table.
+//!   if there are mirrors. The words after `rows` are the picture's name and the columns.
 //! - A *box* begins with `predict`, `hints`, `aside` or `answer`, and goes up to `end`. It is
 //!   folded until the reader opens it.
 //! - A `problem` is for the reader to solve on paper. Its answer is a number, and its box `answer`
@@ -38,9 +38,9 @@
 //! - `check` becomes a form that says whether a reader's picture is right.
 //! - A `note` is a remark of one paragraph, such as some history or an opinion. Bold words at its
 //!   beginning are its label. `rust` is a note that explains some Rust that a beginner won't know
-//!   yet. `by-hand` is a note that names a test: the one that verifies the numbers that the text
-//!   above has worked out by hand. In a chapter, a note follows the block that it belongs to. On
-//!   the page, it is beside that block in the margin if there is room.
+//!   yet. `by-hand` is a note that names a test. This test verifies the numbers that the text above
+//!   works out by hand. In a chapter, a note follows the block that it belongs to. On the page, it
+//!   is beside that block in the margin if there is room.
 //! - `our-folder` becomes words that say where the book's source is.
 //!
 //! A *fault* is an error on a line of a chapter, for the author to fix. The build reports all

@@ -74,8 +74,8 @@ struct Listing<'a> {
     extent: Extent,
     /// Whether there is a blank line above the code in its file.
     is_below_blank: bool,
-    /// The indices of the new lines, which the file of the same name in an earlier step doesn't
-    /// have.
+    /// The indices of the new lines: those that aren't in the file of the same name in an earlier
+    /// step.
     new_lines: Vec<usize>,
     /// The places in the code that a reader may edit, as `places_list` lists them.
     places: Option<String>,
@@ -135,6 +135,8 @@ impl Listing<'_> {
         html_block(&caption) + &fence + &html_block("</figure>")
     }
 
+    /// The HTML attributes of the figure. If the listing's id isn't in `ids`, adds it there and to
+    /// the attributes.
     fn attributes(&self, ids: &mut Vec<String>) -> String {
         let short_path = self.path.strip_prefix("steps/").unwrap_or(self.path);
         let mut attributes = vec![];
@@ -148,7 +150,7 @@ impl Listing<'_> {
         if self.code.lines().count() <= MAX_UNSPLIT_LINES {
             attributes.push(("data-short", String::new()));
         }
-        // The button that copies the code puts a blank line above it.
+        // For this attribute, the copy button puts a blank line above the code.
         if self.is_below_blank {
             attributes.push(("data-below-blank", String::new()));
         }
@@ -206,10 +208,11 @@ fn places_list(path: &str, code: &str) -> Option<String> {
     (!entries.is_empty()).then(|| entries.join(" "))
 }
 
-/// Returns the range of lines of a part such as `use..impl Ray`. The part begins at the line that
-/// begins with `use`, and ends before the line that begins with `impl Ray`. If there are no words
-/// before `..`, the part begins at the top of the file. If there are none after `..`, it ends at
-/// the bottom of the file.
+/// Returns the range of lines of a part such as `use..impl Ray`. The part begins at the first line
+/// that begins with `use`, and ends before the next line that begins with `impl Ray`. Comments and
+/// attributes directly above such a line belong to it. If there are no words before `..`, the part
+/// begins at the top of the file. If there are no words after `..`, the part ends at the bottom of
+/// the file.
 fn part_lines(part: &str, lines: &[&str]) -> ChapterResult<Range<usize>> {
     let (begin_words, end_words) =
         part.split_once("..").ok_or_else(|| ChapterError::PartForm(part.to_owned()))?;
@@ -222,7 +225,8 @@ fn part_lines(part: &str, lines: &[&str]) -> ChapterResult<Range<usize>> {
 }
 
 /// Finds the first line, from `start` on, that begins with these words. Returns the index of this
-/// line or, if there are comments or attributes directly above it, the index where they begin.
+/// line. If there are comments or attributes directly above this line, returns the index of the
+/// first of them.
 fn find_item_start(words: &str, lines: &[&str], start: usize) -> ChapterResult<usize> {
     let has_words = |k: &usize| lines[*k].trim_start().starts_with(words);
     let index = (start..lines.len())

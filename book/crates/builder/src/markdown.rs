@@ -43,8 +43,8 @@ pub fn html_block(html: &str) -> String {
     format!("\n{}\n\n", html.trim_end())
 }
 
-/// Returns a `<code>` element with this name. In a narrow column, a browser may break the name
-/// between two lines.
+/// Returns a `<code>` element that contains a name. In a narrow column, a browser may break the
+/// name between two lines.
 pub fn code_with_break_hints(code: &str) -> String {
     format!("<code>{}</code>", with_break_hints(code))
 }

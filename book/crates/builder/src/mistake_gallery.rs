@@ -41,7 +41,7 @@ pub fn gallery_markdown(
     Ok([begin, items, end, sections].concat())
 }
 
-/// Returns the reason why a mistake is wrong, with a link to the section to read again.
+/// Returns the reason why the code is wrong, with a link to the section to read again.
 fn reason_markdown(
     mistake: &Mistake,
     ShownMistake { section, reason, .. }: &ShownMistake,

@@ -7,13 +7,13 @@ use crate::values::Values;
 use mdbook_markdown::pulldown_cmark::{Event, Tag};
 use std::ops::Range;
 
-/// Opens a wrapper. It encloses a block, the notes of that block, and any tool that opens beside
+/// Returns the HTML that opens a wrapper around a block, its notes, and any tool that opens beside
 /// the block.
 pub fn wrapper_opening_html() -> String {
     html_block("<div class=\"with-margin\">")
 }
 
-/// Closes the wrapper that [`wrapper_opening_html`] opens.
+/// Returns the HTML that closes the wrapper opened by [`wrapper_opening_html`].
 pub fn wrapper_closing_html() -> String {
     html_block("</div>")
 }

@@ -38,8 +38,8 @@ pub struct Boxes {
 /// A box whose `{{#end}}` hasn't been reached yet.
 #[derive(Debug)]
 enum OpenBox {
-    /// A folded box, or the panel of a picture. It begins at `start` in the chapter, and `end_html`
-    /// closes it.
+    /// A folded box outside of a problem, or the panel of a picture. It begins at `start` in the
+    /// chapter, and `end_html` closes it.
     Standalone { start: usize, end_html: String },
     /// A problem, up to its `{{#answer}}`.
     Problem(OpenProblem),
@@ -53,14 +53,14 @@ struct ProbedPicture {
     name: &'static str,
     /// The start of the picture's paragraph in the chapter.
     start: usize,
-    /// The HTML that goes after the panel. It closes the wrapper, unless the wrapper ends after a
-    /// note.
+    /// The HTML that closes the wrapper, to go after the panel. It is empty if the picture has
+    /// notes, because the wrapper then ends after the last note.
     wrapper_end_html: String,
 }
 
 impl Boxes {
-    /// Records a picture with a probe. A panel for this picture then has to follow. The paragraph
-    /// of the picture begins at `start`. Returns the HTML that goes before the picture.
+    /// Records a picture with a probe, which needs a panel below it. The paragraph of the picture
+    /// begins at `start`. Returns the HTML that goes before the picture.
     pub fn await_panel(&mut self, picture: &'static str, start: usize, has_notes: bool) -> String {
         let (wrapper_html, wrapper_end_html) = if has_notes {
             Default::default()
@@ -85,8 +85,8 @@ impl Boxes {
     }
 
     /// Opens a folded box, or the answer to the open problem. Returns `html`, the expansion of the
-    /// box's first line, or an error if no box can begin here. The form for the reader's number
-    /// comes before an answer.
+    /// box's first line, or an error if no box can begin here. If the box is the answer to the open
+    /// problem, the form for the reader's number precedes `html`.
     pub fn begin_folded_box(
         &mut self,
         kind: BoxKind,
@@ -113,8 +113,7 @@ impl Boxes {
                 self.open = Some(OpenBox::Standalone { start, end_html });
                 Ok(())
             }
-            // The next `{{#end}}` closes this box. Drop the problem, because it has no `{{#end}}`
-            // of its own.
+            // Replace the problem with this box, because the next `{{#end}}` is meant for the box.
             Some(OpenBox::Problem(problem)) => {
                 self.open = Some(OpenBox::Standalone { start: problem.start, end_html });
                 Err(ChapterError::MissingAnswer)
@@ -224,7 +223,7 @@ mod tests {
         assert_eq!(missing_parts(&boxes), [first.clone(), second.clone()]);
         assert!(
             boxes.begin_panel("step02_sphere", 7).is_err(),
-            "the last picture is a different one"
+            "a panel can only be for the last picture"
         );
         end_box(&mut boxes).expect("the box can end");
         boxes.begin_panel("step03_nearest", 9).expect("the panel can begin");

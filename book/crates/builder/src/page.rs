@@ -180,7 +180,7 @@ pub fn tokens(html: &str) -> Vec<(Token, u64)> {
     tokenizer.sink.0.take()
 }
 
-/// Collects the tokens. Takes the contents of scripts and styles for plain text, not for HTML.
+/// Collects the tokens. Tells the tokenizer that the contents of scripts and styles aren't HTML.
 #[derive(Default)]
 struct TokenCollector(RefCell<Vec<(Token, u64)>>);
 

@@ -9,10 +9,10 @@ use course::{escape_html, mistakes};
 use figures::Figure;
 use std::mem;
 
-/// The attribute `sizes` of a picture that comes in several sizes. It tells the browser how wide
-/// the picture will be: as wide as the text or, in a narrow window, as wide as the window without
-/// the gutters. The widths are in pixels, because a rem in this attribute depends on the browser's
-/// default font size, not on the page's font size.
+/// The value of the attribute `sizes`, for a picture that comes in several sizes. It tells the
+/// browser how wide the picture will be: as wide as the text or, in a narrow window, as wide as the
+/// window without the gutters. The widths are in pixels, because a rem in this attribute depends on
+/// the browser's default font size, not on the page's font size.
 const WIDTH_ON_PAGE: &str = "(min-width: 730px) 684px, calc(100vw - 43px)";
 
 /// How a picture reacts to a reader.
@@ -36,8 +36,8 @@ pub enum LoadingTime {
 }
 
 impl LoadingTime {
-    /// Returns how the next picture on a page is loaded. All pictures after that are loaded when
-    /// they come into view.
+    /// Returns how the next picture on a page is loaded. Sets `self` to `InView` for the
+    /// pictures after that one.
     pub fn take_for_next_picture(&mut self) -> Self {
         mem::replace(self, Self::InView)
     }
@@ -65,8 +65,8 @@ pub fn image_html_from_markdown(
     sources: &Sources,
     loading: &mut LoadingTime,
 ) -> ChapterResult<String> {
-    // The caption may also contain a link to the same address, so the alt text ends at the first
-    // match.
+    // The alt text ends at the first `](` before this address. The caption may contain a second one,
+    // in a link to the same picture.
     let end = format!("]({source}");
     let alt = markdown.trim_start_matches("![").split(&end).next().unwrap_or_default();
     let alt_words: Vec<_> = alt.split_whitespace().collect();
@@ -78,8 +78,8 @@ pub fn image_html_from_markdown(
     )
 }
 
-/// If a picture shows a mistake, returns what the list of mistakes says about the picture. Returns
-/// None for any other picture.
+/// If a picture shows a mistake, returns the mistake's effect on the picture, as described in the
+/// list of mistakes. Returns None for any other picture.
 fn mistake_effect_of_picture(source: &str) -> Option<String> {
     let name = source.strip_prefix("generated/mistake-")?.strip_suffix(".png")?;
     let all = mistakes();

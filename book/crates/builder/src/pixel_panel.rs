@@ -20,10 +20,10 @@ pub fn opening_html(picture: &str) -> String {
     )
 }
 
-/// Returns the rows of a table for `{{#rows step04_diffuse sphere a b c}}`. The first row has that
-/// picture's numbers a0, b0 and c0. The second row has a1, b1 and c1, and so on. The column
-/// `sphere` has the names of the spheres. book/theme/figure.js uses these names to find the row of
-/// the sphere that was hit.
+/// Returns the rows of a table for `{{#rows step04_diffuse sphere a b c}}`. The first row has the
+/// numbers a0, b0 and c0 of the picture `step04_diffuse`. The second row has a1, b1 and c1, and so
+/// on. The column `sphere` has the names of the spheres. book/theme/figure.js uses these names to
+/// find the row of the sphere that was hit.
 pub fn rows_markdown(words: &str, values: &Values) -> ChapterResult<String> {
     let mut words = words.split_whitespace();
     let (Some(picture), columns) = (words.next(), words.collect::<Vec<_>>()) else {
@@ -40,6 +40,7 @@ pub fn rows_markdown(words: &str, values: &Values) -> ChapterResult<String> {
     (0..figure.row_count).map(|k| row_markdown(picture, &columns, k, values)).collect()
 }
 
+/// Returns the row with index `k`, for one sphere or one ray.
 fn row_markdown(
     picture: &str,
     columns: &[&str],

@@ -28,8 +28,9 @@ impl ChapterPreprocessor {
 }
 
 impl Preprocessor for ChapterPreprocessor {
-    /// The name under which `book.toml` gives a command for this preprocessor. In a build by
-    /// `cargo run`, mdBook calls this object instead of running that command.
+    /// The preprocessor's name in `book.toml`, which also gives a command for it. `mdbook serve`
+    /// runs that command. In `cargo run`, mdBook calls this object instead, because the object
+    /// has the same name.
     fn name(&self) -> &str {
         "course"
     }

@@ -45,8 +45,8 @@ impl ProblemHeading {
         )
     }
 
-    /// The HTML of the form for the reader's number, which follows the problem's text. It is
-    /// hidden if scripts are disabled, since it doesn't work without them.
+    /// Returns the HTML of the form in which the reader enters a number. The form goes below the
+    /// problem's text. If scripts are disabled, the form stays hidden, since it doesn't work.
     pub fn form_html(&self) -> String {
         format!(
             "<form hidden><input required placeholder=\"your number\" autocomplete=\"off\" \
@@ -81,7 +81,7 @@ pub struct OpenProblem {
     pub heading: Option<ProblemHeading>,
     /// The start of the first line.
     pub start: usize,
-    /// The end of the first line.
+    /// The end of the first line, where the text of the problem begins.
     pub text_start: PositionPair,
 }
 

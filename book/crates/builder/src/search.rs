@@ -11,13 +11,14 @@ use std::iter;
 /// The file of words that readers type into the search. Its first lines explain its format.
 pub const READER_WORDS: &str = include_str!("../search_words.txt");
 
-/// Returns the script that gives the text of the book to the search in book/theme/search.js. The
-/// script contains nested arrays of pages, hints and synonyms:
+/// Returns the script that supplies the search in book/theme/search.js with the text of the book.
+/// The script contains nested arrays of pages, hints and synonyms:
 ///
 /// - A page consists of a name, a title, and sections.
 /// - A section consists of an id, a title, prose, listings, and the phrases by which readers look
 ///   for the section.
-/// - A hint consists of the address of a section, error messages, and a sentence.
+/// - A hint consists of the address of a section, error messages, and the sentence to show when a
+///   reader searches for such a message.
 /// - A group of synonyms is an array of words.
 ///
 /// Returns an error if `reader_words` names a section that the book doesn't have.
@@ -110,17 +111,19 @@ fn alt_texts_of_links_to<'a>(page: &'a Page, id: &str) -> Vec<&'a str> {
     links.flat_map(|link| page.descendants(link)).filter_map(|image| image.attr("alt")).collect()
 }
 
-/// A section of a page. In each text, any whitespace between words is a single space.
+/// A section of a page. In the title, the prose and the listings, words are separated by single
+/// spaces.
 #[derive(Debug, Default, PartialEq)]
 struct Section {
     id: String,
     title: String,
-    /// All text of the section, except for its listings.
+    /// The text of the section that can be searched, without its listings.
     prose: String,
     /// The text of the listings in the section.
     listings: String,
 }
 
+/// Splits the content of a page into sections. Each section begins at a heading that has an id.
 fn page_sections(page: &Page) -> Vec<Section> {
     let mut sections = Vec::<Section>::new();
     let main = page.elements.iter().find(|element| element.tag == "main");

@@ -52,15 +52,15 @@ impl Values {
         let text = text.ok_or_else(|| ChapterError::UnknownValue(name.to_owned()))?;
         Ok(match notation {
             Notation::Prose => text,
-            // The crate `figures` writes all readouts as prose, because pages never update numbers
-            // in code. That saves its functions a parameter for the notation. Replacing the sign
-            // here is safe, because a readout has − only before digits.
+            // The crate `figures` formats all readouts for prose, because pages never update
+            // numbers in code. Replacing the sign here is safe, because a readout has − only before
+            // digits.
             Notation::Code => text.replace('−', "-"),
         })
     }
 
-    /// Returns a readout, such as `D`, of a figure that has its default parameters. If the figure
-    /// has a probe, `readout` may begin with the pixel at the probe, as in `470,120:t`.
+    /// Returns a readout, such as `D`, of a figure with its default parameters. For a figure with a
+    /// probe, `readout` may begin with the pixel where the probe is, as in `470,120:t`.
     fn readout(&self, figure_name: &str, readout: &str) -> Option<String> {
         let figure = figures::find_figure(figure_name)?;
         let (pixel, readout) = match readout.split_once(':').filter(|_| figure.probe().is_some()) {
@@ -77,8 +77,9 @@ impl Values {
     }
 }
 
-/// Computes all readouts of a figure whose probe is at `pixel`. If `pixel` is None, the figure has
-/// its default parameters. Returns None if the figure has no such pixel.
+/// Computes all readouts of a figure whose probe is at `pixel`, such as `470,120`. If `pixel` is
+/// None, the figure has its default parameters. Returns None if `pixel` isn't a pixel of the
+/// figure.
 fn compute_readouts(figure: &Figure, pixel: Option<&str>) -> Option<Readouts> {
     let values = match pixel {
         Some(pixel) => {
@@ -90,7 +91,8 @@ fn compute_readouts(figure: &Figure, pixel: Option<&str>) -> Option<Readouts> {
     Some((figure.readouts)(&values))
 }
 
-/// Computes the number for a whole picture that has this name. Returns None for an unknown name.
+/// Computes the number called `name`, which describes a whole picture. Returns None for an unknown
+/// name.
 fn whole_picture_number(name: &str) -> Option<usize> {
     Some(match name {
         "step02-touches" => count_primary_rays(|ray| discriminant(&SPHERE, ray) == 0.0),
@@ -113,7 +115,7 @@ fn whole_picture_number(name: &str) -> Option<usize> {
     })
 }
 
-/// Writes the R_d of an object. Returns None if the scene has no object with this name.
+/// Formats the R_d of an object. Returns None if the scene has no object with this name.
 fn diffuse_reflectance_text(object: &str) -> Option<String> {
     let object = scene().objects.into_iter().find(|candidate| candidate.name == object)?;
     let [r, g, b] = object.material.matte.diffuse.to_array();
@@ -130,8 +132,8 @@ fn indices_of_hit_objects(ray: &Ray) -> impl Iterator<Item = usize> {
     (0..OBJECTS.len()).filter(has_hit)
 }
 
-/// Draws the picture without the gate, which is the test of n·l, and compares the result with the
-/// right picture. Returns the size of the change for each pixel that changes.
+/// Draws step 5's picture without the gate (the test of n·l), and compares the result with the right
+/// picture. For each pixel that differs, returns the largest difference in any channel.
 fn sizes_of_pixel_changes_without_gate() -> Vec<usize> {
     let scene = scene();
     let ungated = render(&camera(), 1, |ray| colour_without_highlight_gate(&scene, ray));
