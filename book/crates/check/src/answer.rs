@@ -268,7 +268,7 @@ mod tests {
     }
 
     #[test]
-    fn items_beyond_the_first_are_counted() {
+    fn items_beyond_the_maximum_are_counted() {
         let join = |items: &[&str]| {
             join_first(items.iter().map(|&item| item.to_owned()).collect(), 2, "; ")
         };

@@ -19,7 +19,7 @@ const FIRST_PIXELS: usize = 500;
 
 /// Returns sentences about what may have been copied into every wrong pixel: one of our channels
 /// into all three bytes, or the colour of a neighbour in our picture.
-pub(crate) fn channel_and_neighbour_sentences(comparison: &Comparison) -> Vec<String> {
+pub(crate) fn copied_channel_or_neighbour_sentences(comparison: &Comparison) -> Vec<String> {
     let mut sentences = vec![];
     let mut add_if = |words: &str, holds: &dyn Fn(&Pixel) -> bool| {
         if comparison.wrong.iter().all(holds) {
@@ -56,7 +56,7 @@ pub(crate) fn one_colour_sentence(wrong: &[Pixel]) -> Option<String> {
 /// Describes your bytes as a function of ours. Returns None if there is no such function, because
 /// equal bytes of ours became different bytes of yours. Also returns None if a wrong colour could
 /// be the reason, because few byte values changed, and only in the sky or only in the objects.
-pub(crate) fn bytes_of_our_bytes_sentence(
+pub(crate) fn byte_depends_on_our_byte_sentence(
     comparison: &Comparison,
     scene: &StepScene,
 ) -> Option<String> {
@@ -98,7 +98,7 @@ fn sentence_on_files_to_compare(changed_count: usize, scene: &StepScene) -> &'st
 
 /// Describes your bytes as a monotonic function of our intensities. Returns None if there is no
 /// such function, or if only the sky or only the objects differ.
-pub(crate) fn bytes_of_our_intensities_sentence(
+pub(crate) fn byte_depends_on_our_intensity_sentence(
     comparison: &Comparison,
     scene: &StepScene,
 ) -> Option<String> {
@@ -106,8 +106,8 @@ pub(crate) fn bytes_of_our_intensities_sentence(
         return None;
     }
     // For most pictures, a few pixels are enough to rule out a curve.
-    sorted_curve(comparison.pixels().take(FIRST_PIXELS), scene)?;
-    let mut curve = sorted_curve(comparison.pixels(), scene)?;
+    sorted_curve_if_monotonic(comparison.pixels().take(FIRST_PIXELS), scene)?;
+    let mut curve = sorted_curve_if_monotonic(comparison.pixels(), scene)?;
     curve.retain(|(_, yours, ours)| yours != ours);
     let points = [1, 3, 5].map(|sixths| curve[sixths * curve.len() / 6]);
     let mut clauses =
@@ -120,7 +120,7 @@ pub(crate) fn bytes_of_our_intensities_sentence(
 
 /// Returns all intensities of these pixels in ascending order, each with your byte and ours.
 /// Returns None unless your bytes are a monotonic function of the intensities.
-fn sorted_curve<'a>(
+fn sorted_curve_if_monotonic<'a>(
     pixels: impl Iterator<Item = &'a Pixel>,
     scene: &StepScene,
 ) -> Option<Vec<(f64, u8, u8)>> {

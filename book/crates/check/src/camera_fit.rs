@@ -6,7 +6,7 @@
 //! where V = D_u i + D_v j + V_0. So each byte of the sky confines the number to an interval.
 
 use crate::comparison::{Budget, Comparison, Pixel};
-use crate::number_format::with_minus;
+use crate::number_format::replace_hyphens_with_minus;
 use crate::step_scene::StepScene;
 use course::{PICTURE_ROWS, Step, camera};
 use std::ops::RangeInclusive;
@@ -69,7 +69,10 @@ impl MatrixNumber {
     fn describe(self, value: &str) -> String {
         let axis = ["x", "y"][self.row];
         let vector = ["D_u", "D_v", "V_0"][self.column];
-        with_minus(&format!("{axis} of {vector} = {value} instead of {:.6}", self.our_value()))
+        replace_hyphens_with_minus(&format!(
+            "{axis} of {vector} = {value} instead of {:.6}",
+            self.our_value()
+        ))
     }
 }
 
@@ -261,7 +264,7 @@ mod tests {
 
     /// Changes one number of our camera, draws the picture of step 3, and runs
     /// `describe_fitting_cameras` on this picture.
-    fn find_cameras_with_changed_number(number: MatrixNumber, value: f64) -> Vec<String> {
+    fn describe_cameras_that_fit_a_changed_number(number: MatrixNumber, value: f64) -> Vec<String> {
         let target = Target::of_locked("step03_nearest", step03_nearest::picture(&camera(), 1));
         let scene = target.scene.as_ref().expect("a step has a scene");
         let yours = step03_nearest::picture(&number.camera_with(value), 1);
@@ -273,10 +276,10 @@ mod tests {
     fn multiples_of_our_number_and_shifts_by_whole_pixels_are_tried() {
         let twice = 2.0 * D_U.our_value();
         let words = format!("x of D_u = {:.12} instead of 0.001807", twice);
-        assert_eq!(find_cameras_with_changed_number(D_U, twice), [words]);
+        assert_eq!(describe_cameras_that_fit_a_changed_number(D_U, twice), [words]);
         let three_rows_lower = V_0.our_value() + 3.0 * D_V.our_value();
         let words = format!("y of V_0 = {:.12} instead of 0.324364", three_rows_lower);
-        assert_eq!(find_cameras_with_changed_number(V_0, three_rows_lower), [words]);
+        assert_eq!(describe_cameras_that_fit_a_changed_number(V_0, three_rows_lower), [words]);
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! Finds numbers in the scene that a reader may have mistyped.
 
 use crate::comparison::{Budget, Comparison};
-use crate::number_format::{format_as_typed, with_minus};
+use crate::number_format::{format_as_typed, replace_hyphens_with_minus};
 use crate::step_scene::StepScene;
 use course::{OwnScene, Owner, QUANTITIES, Quantity, TypedRange};
 
@@ -23,14 +23,15 @@ pub(crate) fn find_changed_numbers(
         for (k, owner) in owner_names(scene, quantity.owner).into_iter().enumerate() {
             for scalar in quantity.scalars {
                 let old = scalar.get(&scene.own, k);
-                for new in typed_numbers(typed).filter(|new| *new != old) {
+                for new in numbers_in_typed_range(typed).filter(|new| *new != old) {
                     scalar.set(&mut changed.own, k, new);
                     let is_found = budget.holds_for_all(&mut pixels, 1, |pixel| {
                         changed.bytes(&pixel.ray) == pixel.yours
                     });
                     if is_found {
-                        let [new, old] = [&changed.own, &scene.own]
-                            .map(|own| with_minus(&format_quantity(quantity, own, k)));
+                        let [new, old] = [&changed.own, &scene.own].map(|own| {
+                            replace_hyphens_with_minus(&format_quantity(quantity, own, k))
+                        });
                         descriptions
                             .push(format!("{} of {owner} = {new} instead of {old}", quantity.name));
                     }
@@ -52,17 +53,18 @@ pub(crate) fn owner_names(scene: &StepScene, owner: Owner) -> Vec<String> {
 }
 
 /// Returns the numbers in a range that somebody is likely to type, in ascending order.
-fn typed_numbers(
+fn numbers_in_typed_range(
     TypedRange { range: [start, end], steps_per_unit, .. }: TypedRange,
 ) -> impl Iterator<Item = f64> {
     let numerators = start * steps_per_unit..=end * steps_per_unit;
     numerators.map(move |numerator| f64::from(numerator) / f64::from(steps_per_unit))
 }
 
-/// Formats a quantity as it is typed in Rust: `-2.5`, or `(1, -2.5, 0)`. `k` is the index of the
-/// quantity's owner, such as an object.
-pub(crate) fn format_quantity(quantity: &Quantity, own: &OwnScene, k: usize) -> String {
-    let numbers: Vec<_> = quantity.scalars.iter().map(|scalar| scalar.get(own, k)).collect();
+/// Formats a quantity as it is typed in Rust: `-2.5`, or `(1, -2.5, 0)`. The quantity belongs to the
+/// owner with index `owner_index`, for example to an object.
+pub(crate) fn format_quantity(quantity: &Quantity, own: &OwnScene, owner_index: usize) -> String {
+    let numbers: Vec<_> =
+        quantity.scalars.iter().map(|scalar| scalar.get(own, owner_index)).collect();
     format_as_typed(&numbers)
 }
 
@@ -71,9 +73,9 @@ mod tests {
     use super::*;
 
     #[test]
-    fn typed_numbers_include_both_ends_of_the_range() {
+    fn typed_range_includes_both_ends() {
         let typed = TypedRange { first_step: course::Step::Rays, range: [0, 1], steps_per_unit: 2 };
-        assert_eq!(typed_numbers(typed).collect::<Vec<_>>(), [0.0, 0.5, 1.0]);
+        assert_eq!(numbers_in_typed_range(typed).collect::<Vec<_>>(), [0.0, 0.5, 1.0]);
     }
 
     #[test]
@@ -82,7 +84,7 @@ mod tests {
         assert_eq!(owner_names(&scene, Owner::Object), ["the sphere"]);
         assert_eq!(owner_names(&scene, Owner::Light), ["the warm light", "the cool light"]);
         assert_eq!(owner_names(&scene, Owner::Scene), ["the scene"]);
-        let named = StepScene::of_name("ada");
+        let named = StepScene::of_generated_scene("ada");
         assert_eq!(owner_names(&named, Owner::Object)[..2], ["ball 1", "the ground"]);
     }
 }

@@ -62,7 +62,7 @@ pub fn check_png<E: Into<Box<dyn error::Error + Send + Sync>>>(
 
 /// Compares the picture in a PNG file with the picture of the scene that is generated from a name.
 pub fn check_scene_png(png: &[u8], file_name: &str, name: &str) -> Result<Answer, CheckError> {
-    Ok(compare(decode(png, file_name)?, Target::of_scene(name)))
+    Ok(compare(decode(png, file_name)?, Target::of_generated_scene(name)))
 }
 
 fn decode(png: &[u8], file_name: &str) -> Result<ReaderPicture, CheckError> {

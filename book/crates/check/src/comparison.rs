@@ -137,18 +137,24 @@ mod tests {
     }
 
     #[test]
-    fn item_that_fails_the_condition_moves_to_the_front() {
+    fn holds_for_all_moves_an_item_that_fails_the_condition_to_the_front() {
         let mut items = [1, 2, 3, 4];
         let budget = Budget::new(100);
         assert!(!budget.holds_for_all(&mut items, 10, |item| *item != 3));
         assert_eq!(items, [3, 1, 2, 4]);
         assert!(!budget.holds_for_all(&mut items, 10, |item| *item != 3));
         assert_eq!(items, [3, 1, 2, 4]);
+        // The items that were tested have cost 30 and 10, so 60 are left.
         assert!(budget.holds_for_all(&mut items, 15, |item| *item < 5));
         assert!(budget.is_spent());
-        assert!(!budget.holds_for_all(&mut items, 1, |_| true));
+    }
+
+    #[test]
+    fn holds_for_all_is_false_if_the_budget_runs_out() {
+        let mut items = [1, 2, 3, 4];
         assert!(Budget::new(4).holds_for_all(&mut items, 1, |_| true));
         assert!(!Budget::new(3).holds_for_all(&mut items, 1, |_| true));
+        assert!(!Budget::new(0).holds_for_all(&mut items, 1, |_| true));
     }
 
     #[test]

@@ -79,7 +79,7 @@ pub(crate) fn explain(yours: &ReaderPicture, target: &Target) -> Explanation {
     };
     let mut causes: Vec<_> = mistakes.into_iter().map(Cause::Mistake).collect();
     if whole_picture.is_none() && uniform.is_none() {
-        causes.extend(comparison.iter().flat_map(find_unlisted_causes));
+        causes.extend(comparison.iter().flat_map(find_number_and_camera_causes));
     }
     let is_explained = whole_picture.is_some() || uniform.is_some() || !causes.is_empty();
     let says_size = comparison.is_none() && whole_picture.is_none();
@@ -126,7 +126,7 @@ fn explain_options(
     Explanation {
         verdict: Verdict::OtherOptions,
         headline: options.headline(title),
-        details: Options::advice(),
+        details: Options::advice_on_default_options(),
         causes: vec![],
         causes_line: None,
         option_doubts: OptionDoubts { mistakes, is_one_colour: options.is_one_colour() },
@@ -136,7 +136,7 @@ fn explain_options(
 /// Tries out changed numbers in the scene and changed cameras, and returns the changes that
 /// reproduce the whole picture. If the budget runs out, returns no changes at all, since those that
 /// weren't tried might reproduce the picture, too.
-fn find_unlisted_causes(comparison: &Comparison) -> Vec<Cause> {
+fn find_number_and_camera_causes(comparison: &Comparison) -> Vec<Cause> {
     let Some(scene) = &comparison.target.scene else { return vec![] };
     let budget = Budget::new(MAX_RAYS);
     let numbers = find_changed_numbers(comparison, scene, &budget).into_iter();

@@ -1,11 +1,11 @@
 //! Finds facts: sentences that are true of the wrong pixels, whatever the cause.
 
 use crate::byte_facts::{
-    bytes_of_our_bytes_sentence, bytes_of_our_intensities_sentence,
-    channel_and_neighbour_sentences, one_colour_sentence,
+    byte_depends_on_our_byte_sentence, byte_depends_on_our_intensity_sentence,
+    copied_channel_or_neighbour_sentences, one_colour_sentence,
 };
 use crate::comparison::{Comparison, Pixel};
-use crate::regions::{colours_from_behind_sentence, count_regions, region_sentence};
+use crate::regions::{colours_from_behind_sentence, count_pixels_per_region, region_sentence};
 use crate::step_scene::StepScene;
 use crate::undrawn::undrawn_sentence;
 use course::Step;
@@ -26,29 +26,29 @@ const MIN_COLOURS: usize = 4;
 /// last sentence says where these pixels are.
 pub(crate) fn find_facts(comparison: &Comparison) -> Vec<String> {
     let scene = comparison.target.scene.as_ref();
-    let regions = scene.map(|scene| count_regions(comparison, scene));
-    let are_many_and_varied = are_many_and_varied(&comparison.wrong);
-    let varied = scene.filter(|_| are_many_and_varied);
+    let regions = scene.map(|scene| count_pixels_per_region(comparison, scene));
+    let are_enough_evidence = are_enough_evidence(&comparison.wrong);
+    let scene_if_enough_evidence = scene.filter(|_| are_enough_evidence);
     // Too much light makes pixels white, too, and a curve describes it. So if a curve fits, we
     // don't look for undrawn pixels.
-    let curve = varied.and_then(|scene| {
-        bytes_of_our_intensities_sentence(comparison, scene)
-            .or_else(|| bytes_of_our_bytes_sentence(comparison, scene))
+    let curve = scene_if_enough_evidence.and_then(|scene| {
+        byte_depends_on_our_intensity_sentence(comparison, scene)
+            .or_else(|| byte_depends_on_our_byte_sentence(comparison, scene))
     });
     let undrawn = if curve.is_none() { undrawn_sentence(comparison) } else { None };
     let mut facts: Vec<_> = undrawn.into_iter().collect();
     if facts.is_empty() {
         facts.extend(curve);
         facts.extend(regions.as_deref().and_then(colours_from_behind_sentence));
-        if let Some(scene) = varied {
-            if exceed_byte_range(&comparison.wrong, scene) {
+        if let Some(scene) = scene_if_enough_evidence {
+            if all_exceed_byte_range(&comparison.wrong, scene) {
                 facts.push("Each wrong pixel has an intensity above 1 in ours.".to_owned());
             }
             facts.extend(missing_light_sentence(&comparison.wrong, scene));
         }
-        if are_many_and_varied {
+        if are_enough_evidence {
             facts.extend(one_colour_sentence(&comparison.wrong));
-            facts.extend(channel_and_neighbour_sentences(comparison));
+            facts.extend(copied_channel_or_neighbour_sentences(comparison));
         }
         facts.truncate(MAX_FACTS);
     }
@@ -58,13 +58,13 @@ pub(crate) fn find_facts(comparison: &Comparison) -> Vec<String> {
 
 /// Whether there are enough wrong pixels, and whether they have enough different colours in our
 /// picture.
-fn are_many_and_varied(wrong: &[Pixel]) -> bool {
+fn are_enough_evidence(wrong: &[Pixel]) -> bool {
     let colours: BTreeSet<[u8; 3]> = wrong.iter().map(|pixel| pixel.ours).collect();
     wrong.len() >= MIN_PIXELS && colours.len() >= MIN_COLOURS
 }
 
 /// Whether, in our picture, each pixel has an intensity that is too large for a byte.
-fn exceed_byte_range(pixels: &[Pixel], scene: &StepScene) -> bool {
+fn all_exceed_byte_range(pixels: &[Pixel], scene: &StepScene) -> bool {
     pixels.iter().all(|pixel| scene.colour(&pixel.ray).max_element() > 1.0)
 }
 
@@ -110,13 +110,13 @@ mod tests {
     }
 
     #[test]
-    fn pixels_are_varied_if_they_are_many_and_differ() {
+    fn pixels_are_enough_evidence_if_they_are_many_and_varied() {
         let pixels = |count: u8, colours: u8| {
             let pixels = (0..count).map(|k| pixel([k % colours, 0, 0]));
             pixels.collect::<Vec<_>>()
         };
-        assert!(are_many_and_varied(&pixels(16, 4)));
-        assert!(!are_many_and_varied(&pixels(15, 4)));
-        assert!(!are_many_and_varied(&pixels(16, 3)));
+        assert!(are_enough_evidence(&pixels(16, 4)));
+        assert!(!are_enough_evidence(&pixels(15, 4)));
+        assert!(!are_enough_evidence(&pixels(16, 3)));
     }
 }

@@ -111,7 +111,7 @@ impl Task {
         let Arguments { file, name, folder, scene, names, out, answers, secret, require, .. } =
             arguments;
         let names = names.as_deref().map(read_names).transpose()?;
-        let required = required_names(&require);
+        let required = required_names_in_order(&require);
         Ok(match (file, folder, out, scene) {
             (Some(file), _, _, Some(name)) => {
                 Self::CheckFile { file, expected: ExpectedPicture::SceneFromName(name) }
@@ -242,7 +242,7 @@ fn run(task: Task) -> Result<Output, AnyError> {
 }
 
 /// Returns the names given with `--require`, in the order of `names_of_right_pictures`.
-fn required_names(require: &[String]) -> Vec<&'static str> {
+fn required_names_in_order(require: &[String]) -> Vec<&'static str> {
     names_of_right_pictures()
         .into_iter()
         .filter(|name| require.iter().any(|required| required == name))

@@ -6,7 +6,7 @@ use glam::DVec3;
 pub(crate) fn format_four_decimals(number: f64) -> String {
     match format!("{number:.4}").as_str() {
         "-0.0000" => "0.0000".to_owned(),
-        text => with_minus(text),
+        text => replace_hyphens_with_minus(text),
     }
 }
 
@@ -23,7 +23,7 @@ pub(crate) fn format_as_typed(numbers: &[f64]) -> String {
 }
 
 /// Replaces each hyphen with a typographic minus.
-pub(crate) fn with_minus(text: &str) -> String {
+pub(crate) fn replace_hyphens_with_minus(text: &str) -> String {
     text.replace('-', "−")
 }
 
@@ -48,6 +48,6 @@ mod tests {
     fn typed_numbers_have_parentheses_unless_there_is_one() {
         assert_eq!(format_as_typed(&[-2.5]), "-2.5");
         assert_eq!(format_as_typed(&[1.0, -2.5, 0.0]), "(1, -2.5, 0)");
-        assert_eq!(with_minus(&format_as_typed(&[-1.0])), "−1");
+        assert_eq!(replace_hyphens_with_minus(&format_as_typed(&[-1.0])), "−1");
     }
 }

@@ -107,7 +107,7 @@ impl Options {
 
     /// The lines after the headline. They say which options our picture is drawn with, and where to
     /// look if the reader used the same options.
-    pub fn advice() -> Vec<String> {
+    pub fn advice_on_default_options() -> Vec<String> {
         vec![
             "Ours is drawn with the default options: --width 640 --aspect 16:9 --fov 60 --samples 1."
                 .to_owned(),
@@ -126,7 +126,7 @@ pub(crate) fn find_options(scene: &StepScene, yours: &RgbImage) -> Option<Option
     }
     let all_offsets: Vec<_> = (1..=16).map(sub_pixel_offsets).collect();
     let (probe_budget, budget) = (Budget::new(PROBE_RAYS), Budget::new(2 * MAX_RAYS));
-    let mut border_probes: Vec<_> = border_positions(size).take(PROBE_PIXELS).collect();
+    let mut border_probes: Vec<_> = sampled_border_positions(size).take(PROBE_PIXELS).collect();
     let mut probes: Vec<_> = scattered_positions(size).take(PROBE_PIXELS).collect();
     for fov_degrees in angles_with_at_most_one_decimal().chain(fine_angles_that_fit_border(yours)) {
         let camera = Camera::new(columns, rows, fov_degrees.to_radians());
@@ -226,7 +226,7 @@ fn find_common_bounds(intervals: &[(f64, f64)]) -> (f64, f64) {
 
 /// Returns positions on the border of a picture, starting at a corner. With most angles of view,
 /// the border shows the sky.
-fn border_positions((columns, rows): (u32, u32)) -> impl Iterator<Item = (u32, u32)> {
+fn sampled_border_positions((columns, rows): (u32, u32)) -> impl Iterator<Item = (u32, u32)> {
     let downwards = (0..rows).step_by(rows.div_ceil(50) as usize);
     let across = (0..columns).step_by(columns.div_ceil(50) as usize);
     let sides = downwards.flat_map(move |j| [(0, j), (columns - 1, j)]);
@@ -260,7 +260,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn bounds_are_those_of_almost_all_intervals() {
+    fn common_bounds_lie_in_almost_all_intervals() {
         assert_eq!(find_common_bounds(&[]), (0.0, f64::INFINITY));
         assert_eq!(find_common_bounds(&[(1.0, 3.0), (2.0, 4.0)]), (2.0, 3.0));
         assert_eq!(find_common_bounds(&[(1.0, 2.0), (2.0, 4.0)]), (2.0, 2.0));
@@ -279,13 +279,13 @@ mod tests {
     }
 
     #[test]
-    fn border_is_visited_on_all_sides() {
-        let positions: Vec<_> = border_positions((64, 36)).collect();
+    fn border_is_sampled_on_all_sides() {
+        let positions: Vec<_> = sampled_border_positions((64, 36)).collect();
         assert!(positions.iter().all(|(i, j)| [0, 63].contains(i) || [0, 35].contains(j)));
         for corner in [(0, 0), (63, 0), (0, 35)] {
             assert!(positions.contains(&corner), "{corner:?}");
         }
-        assert!(border_positions((5000, 5000)).count() <= 200);
+        assert!(sampled_border_positions((5000, 5000)).count() <= 200);
     }
 
     #[test]

@@ -125,7 +125,7 @@ pub(crate) fn read_png(file: &[u8]) -> Result<DecodedPng, PngError> {
     if file.len() as u64 > MAX_FILE_BYTES {
         return Err(PngError::TooManyBytes);
     }
-    if let Some(clause) = other_format_clause(file) {
+    if let Some(clause) = clause_unless_png(file) {
         return Err(PngError::OtherFormat(clause));
     }
     let limits = Limits { bytes: MAX_FILE_BYTES as usize };
@@ -237,7 +237,7 @@ fn split_alpha(samples: Vec<u8>, colour_type: ColorType) -> (Vec<u8>, Transparen
 
 /// Recognises the format of a file by its first bytes, ignoring case and leading whitespace.
 /// Returns a clause such as `a PDF; save the picture as PNG`, or None for a PNG file.
-fn other_format_clause(file: &[u8]) -> Option<&'static str> {
+fn clause_unless_png(file: &[u8]) -> Option<&'static str> {
     if file.starts_with(PNG) {
         return None;
     }
@@ -308,13 +308,13 @@ mod tests {
 
     #[test]
     fn format_is_recognised_by_its_first_bytes() {
-        assert_eq!(other_format_clause(b"\x89PNG\r\n\x1a\n..."), None);
+        assert_eq!(clause_unless_png(b"\x89PNG\r\n\x1a\n..."), None);
         assert_eq!(
-            other_format_clause(b"\x89PNG\r\n"),
+            clause_unless_png(b"\x89PNG\r\n"),
             Some("the beginning of a PNG file, and no more")
         );
-        assert_eq!(other_format_clause(b"\n %pdf-1.7"), Some("a PDF; save the picture as PNG"));
-        assert_eq!(other_format_clause(b"P"), Some("not a PNG file"));
+        assert_eq!(clause_unless_png(b"\n %pdf-1.7"), Some("a PDF; save the picture as PNG"));
+        assert_eq!(clause_unless_png(b"P"), Some("not a PNG file"));
         assert_eq!(netpbm_clause(b"P6#"), Some("a PPM picture (P6); save it as PNG"));
         assert_eq!(netpbm_clause(b"P0 1"), None);
         assert_eq!(netpbm_clause(b"P8 1"), None);

@@ -23,7 +23,7 @@ pub(crate) struct Region {
 
 /// Counts the pixels of each region. The sky comes first, then each object. Leaves out regions that
 /// aren't visible in our picture.
-pub(crate) fn count_regions(comparison: &Comparison, scene: &StepScene) -> Vec<Region> {
+pub(crate) fn count_pixels_per_region(comparison: &Comparison, scene: &StepScene) -> Vec<Region> {
     let names = [vec![SKY.to_owned()], scene.object_names()].concat();
     let empty_region = |name| Region { name, pixel_count: 0, wrong_count: 0, from_behind_count: 0 };
     let mut regions: Vec<_> = names.into_iter().map(empty_region).collect();

@@ -39,7 +39,7 @@ impl StepScene {
     }
 
     /// The scene that is generated from a name, drawn by step 5.
-    pub fn of_name(name: &str) -> Self {
+    pub fn of_generated_scene(name: &str) -> Self {
         let light_names = ["the first light", "the second light"];
         Self { step: Step::Phong, own: OwnScene::new(generate_scene(name)), light_names }
     }

@@ -27,15 +27,15 @@ impl Target {
     }
 
     /// The target for the scene that is generated from a name.
-    pub fn of_scene(name: &str) -> Self {
-        let scene = StepScene::of_name(name);
+    pub fn of_generated_scene(name: &str) -> Self {
+        let scene = StepScene::of_generated_scene(name);
         let picture = render(&camera(), 1, |ray| scene.colour(ray));
-        Self { title: scene_title(name), name: None, scene: Some(scene), picture }
+        Self { title: generated_scene_title(name), name: None, scene: Some(scene), picture }
     }
 }
 
 /// Returns the phrase for the scene that is generated from `name`, such as `the scene of ada`.
-pub(crate) fn scene_title(name: &str) -> String {
+pub(crate) fn generated_scene_title(name: &str) -> String {
     format!("the scene of {}", escape_for_terminal(name))
 }
 

@@ -157,7 +157,7 @@ mod tests {
     }
 
     #[test]
-    fn colour_is_uniform_if_no_pixel_differs() {
+    fn uniform_colour_is_found_if_no_pixel_differs() {
         let mut picture = RgbImage::from_pixel(3, 2, [1, 2, 3].into());
         assert_eq!(uniform_colour(&picture), Some([1, 2, 3]));
         picture[(2, 1)] = [1, 2, 4].into();

@@ -23,10 +23,10 @@ const WHITE: [u8; 3] = [255; 3];
 /// If black pixels form no simple shape, describes them only if every wrong pixel is black, and if
 /// a part of the sky is wrong, but not all of it.
 pub(crate) fn undrawn_sentence(comparison: &Comparison) -> Option<String> {
-    black_sentence(comparison).or_else(|| white_sentence(comparison))
+    black_pixels_sentence(comparison).or_else(|| white_pixels_sentence(comparison))
 }
 
-fn black_sentence(comparison: &Comparison) -> Option<String> {
+fn black_pixels_sentence(comparison: &Comparison) -> Option<String> {
     let mask = Mask::of_colour_if_common(comparison, BLACK)?;
     let Comparison { wrong, right, target, .. } = comparison;
     let (count, has_scene) = (mask.inside_count(), target.scene.is_some());
@@ -50,7 +50,7 @@ fn black_sentence(comparison: &Comparison) -> Option<String> {
     is_all.then(|| format!("All {count} wrong pixels are black, as if never drawn."))
 }
 
-fn white_sentence(comparison: &Comparison) -> Option<String> {
+fn white_pixels_sentence(comparison: &Comparison) -> Option<String> {
     let mask = Mask::of_colour_if_common(comparison, WHITE)?;
     let Shape { words, .. } = mask.find_shape()?;
     Some(format!("{} wrong pixels are white: {words}.", mask.inside_count()))
@@ -160,8 +160,8 @@ impl Mask {
             Self::find_column_row_crossings,
             Self::find_whole_columns_and_rows,
             Self::find_rectangles,
-            Self::find_stride,
-            Self::find_diagonals,
+            Self::find_periodic_pixels,
+            Self::find_periodic_diagonals,
         ];
         shapes.iter().find_map(|find| find(self))
     }
@@ -206,7 +206,7 @@ impl Mask {
         let rows: BTreeSet<_> = self.inside_positions().map(|(_, j)| j).collect();
         let is_crossing = |i: u32, j: u32| columns.contains(&i) && rows.contains(&j);
         let fits_shape = self.fits_shape(is_crossing);
-        let words = columns_of_rows(
+        let words = join_columns_and_rows(
             &self.format_lines(LineKind::Column, &columns),
             &self.format_lines(LineKind::Row, &rows),
         )?;
@@ -256,7 +256,7 @@ impl Mask {
                 rest[index(left, j)..=index(right, j)].fill(Membership::Possible);
             }
             let [columns, rows] = [left..=right, top..=bottom].map(BTreeSet::from_iter);
-            words.push(columns_of_rows(
+            words.push(join_columns_and_rows(
                 &self.format_lines(LineKind::Column, &columns),
                 &self.format_lines(LineKind::Row, &rows),
             )?);
@@ -266,7 +266,7 @@ impl Mask {
     }
 
     /// Finds every nth pixel, counted row by row.
-    fn find_stride(&self) -> Option<Shape> {
+    fn find_periodic_pixels(&self) -> Option<Shape> {
         let number = |i: u32, j: u32| j * self.columns + i;
         let (period, remainders) = self.find_period(number)?;
         let pixels = format_period("pixel", period, remainders.len());
@@ -274,7 +274,7 @@ impl Mask {
         Some(Shape { words, cause: ShapeCause::Loop })
     }
 
-    fn find_diagonals(&self) -> Option<Shape> {
+    fn find_periodic_diagonals(&self) -> Option<Shape> {
         let describe = |direction: &str, (period, remainders): (u32, BTreeSet<u32>)| {
             let diagonals = format_period("diagonal", period, remainders.len());
             let words = format!("{diagonals}, {direction}");
@@ -323,7 +323,7 @@ impl Mask {
 
 /// Joins the descriptions of columns and rows, as in `columns 3 to 9 of row 2`. Returns None if
 /// both are None.
-fn columns_of_rows(columns: &Option<String>, rows: &Option<String>) -> Option<String> {
+fn join_columns_and_rows(columns: &Option<String>, rows: &Option<String>) -> Option<String> {
     let known: Vec<_> = [columns, rows].into_iter().flatten().map(String::as_str).collect();
     (!known.is_empty()).then(|| known.join(" of "))
 }

@@ -12,14 +12,14 @@ pub(crate) fn describe_most_different_pixel(
     Comparison { target, most_different, .. }: &Comparison,
 ) -> String {
     let Pixel { position: (i, j), ray, hit, yours, ours } = most_different;
-    let computed = target.scene.as_ref().map(|scene| computed_values(scene, ray, *hit));
+    let computed = target.scene.as_ref().map(|scene| format_computed_values(scene, ray, *hit));
     let [a, b] = [yours, ours].map(|[r, g, b]| format!("({r}, {g}, {b})"));
     format!("Column {i}, row {j}: yours is {a}, ours {b}{}.", computed.unwrap_or_default())
 }
 
 /// Formats the values that our program computes for one ray, in the book's notation. The text
 /// begins with a colon, because it follows the two colours.
-fn computed_values(scene: &StepScene, ray: &Ray, hit: Option<ObjectHit>) -> String {
+fn format_computed_values(scene: &StepScene, ray: &Ray, hit: Option<ObjectHit>) -> String {
     let Some(hit) = hit else {
         return format!(": the sky, V = {}", format_vector_four_decimals(ray.direction));
     };
@@ -51,11 +51,11 @@ mod tests {
     use super::*;
 
     #[test]
-    fn values_are_those_that_the_step_computes() {
+    fn text_contains_the_values_that_the_step_computes() {
         let ray = course::camera().ray(320.0, 180.0);
         let values = |step| {
             let scene = StepScene::of_step(step);
-            computed_values(&scene, &ray, scene.visible_hit(&ray))
+            format_computed_values(&scene, &ray, scene.visible_hit(&ray))
         };
         assert!(values(Step::Rays).starts_with(": the sky, V = (0.0009, −0.0009, −1.0000)"));
         assert_eq!(values(Step::Sphere), ": the sphere at t = 4.0000");

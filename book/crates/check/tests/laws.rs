@@ -79,7 +79,7 @@ fn fields_of_view_are_found_despite_highlights_on_the_border() {
 /// No picture rules out a mistake in step 1: even if the sky is right, the camera may be slightly
 /// off, or `rgb8` or `Ray::at` may be wrong.
 #[test]
-fn wrong_pictures_of_all_steps_name_the_tests_of_step_1() {
+fn wrong_picture_of_any_step_names_the_tests_of_step_1() {
     for step in Step::ALL {
         let wrong_byte =
             |_, _, ours: [u8; 3]| ours.map(|byte| if byte < 90 { byte / 2 } else { byte });

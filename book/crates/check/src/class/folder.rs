@@ -37,7 +37,7 @@ pub enum FolderError {
     #[error("{0} has more than {MAX_ENTRIES} entries")]
     TooManyEntries(String),
     /// The class's folder contains no folders.
-    #[error("{folder} contains no folders; it needs one for each student{}", with_semicolon(.skipped_paths))]
+    #[error("{folder} contains no folders; it needs one for each student{}", prepend_semicolon(.skipped_paths))]
     NoStudents {
         /// The class's folder.
         folder: String,
@@ -47,7 +47,7 @@ pub enum FolderError {
     },
 }
 
-fn with_semicolon(clause: &Option<String>) -> String {
+fn prepend_semicolon(clause: &Option<String>) -> String {
     clause.as_ref().map(|clause| format!("; {clause}")).unwrap_or_default()
 }
 
@@ -66,7 +66,7 @@ pub(crate) struct StudentFolder {
 
 /// The contents of a student's folder.
 #[derive(Default)]
-pub(crate) struct Contents {
+pub(crate) struct FolderContents {
     /// The files in the folder and its subfolders, the least deeply nested first.
     pub files: Vec<FoundFile>,
     pub skipped_paths: SkippedPaths,
@@ -114,8 +114,8 @@ pub(crate) fn read_class_folder(folder: &Path) -> Result<ClassFolder, FolderErro
 }
 
 /// Finds a reader's own pictures in a folder, but not in its subfolders.
-pub(crate) fn find_own_pictures(folder: &Path) -> Result<Contents, FolderError> {
-    let mut contents = Contents::default();
+pub(crate) fn find_own_pictures(folder: &Path) -> Result<FolderContents, FolderError> {
+    let mut contents = FolderContents::default();
     for entry in read_top_folder(folder)? {
         let (path, printable_path) = (entry.path(), printable_name(&entry.file_name()));
         let file = FoundFile { path, printable_path };
@@ -138,8 +138,8 @@ struct UnreadFolder {
 
 /// Finds the files in a student's folder and its subfolders. The search is breadth-first, so that
 /// the limit on entries cuts off the most deeply nested files.
-pub(crate) fn find_files(student: &StudentFolder) -> Contents {
-    let Contents { mut files, mut skipped_paths } = Contents::default();
+pub(crate) fn find_files(student: &StudentFolder) -> FolderContents {
+    let FolderContents { mut files, mut skipped_paths } = FolderContents::default();
     let mut entries_left = MAX_ENTRIES;
     let top_folder =
         UnreadFolder { path: student.path.clone(), printable_path: String::new(), depth: 1 };
@@ -178,7 +178,7 @@ pub(crate) fn find_files(student: &StudentFolder) -> Contents {
             }
         }
     }
-    Contents { files, skipped_paths }
+    FolderContents { files, skipped_paths }
 }
 
 /// Reads the entries of a folder that was given on the command line.

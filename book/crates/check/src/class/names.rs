@@ -52,7 +52,7 @@ pub fn compose_characters(name: &str) -> String {
 }
 
 /// Returns the normalized name of a student's folder, or None if the name isn't UTF-8.
-fn normalized_folder_name(student: &StudentFolder) -> Option<String> {
+fn composed_folder_name(student: &StudentFolder) -> Option<String> {
     student.name.to_str().map(compose_characters)
 }
 
@@ -62,12 +62,12 @@ pub(crate) struct DuplicateNames(HashSet<String>);
 impl DuplicateNames {
     pub fn new(students: &[StudentFolder]) -> Self {
         let mut seen = HashSet::new();
-        let names = students.iter().filter_map(normalized_folder_name);
+        let names = students.iter().filter_map(composed_folder_name);
         Self(names.filter(|name| !seen.insert(name.clone())).collect())
     }
 
     pub fn note(&self, student: &StudentFolder) -> Option<Note> {
-        let name = normalized_folder_name(student)?;
+        let name = composed_folder_name(student)?;
         self.0.contains(&name).then_some(Note::SameNameInOtherForm)
     }
 }
@@ -81,7 +81,7 @@ pub(crate) struct ListedNames<'a> {
 impl<'a> ListedNames<'a> {
     pub fn new(names: &'a [String], students: &[StudentFolder]) -> Self {
         let mut has_folder: HashMap<_, _> = names.iter().map(|name| (&**name, false)).collect();
-        for name in students.iter().filter_map(normalized_folder_name) {
+        for name in students.iter().filter_map(composed_folder_name) {
             if let Some(has_folder) = has_folder.get_mut(&*name) {
                 *has_folder = true;
             }
@@ -91,7 +91,7 @@ impl<'a> ListedNames<'a> {
 
     /// Returns a note if this folder's name isn't in the list.
     pub fn note(&self, student: &StudentFolder) -> Option<Note> {
-        let name = normalized_folder_name(student);
+        let name = composed_folder_name(student);
         let is_listed = name.is_some_and(|name| self.has_folder.contains_key(&*name));
         (!is_listed).then_some(Note::NotInList)
     }

@@ -5,7 +5,7 @@ use crate::Verdict;
 use crate::class::feedback::FileVerdict;
 use crate::class::skipped_paths::SkippedPaths;
 use crate::class::student::{FileReport, Note, PictureReport, StudentReport};
-use crate::class::table::align;
+use crate::class::table::align_columns;
 use course::json;
 
 /// The verdict on a picture that has no file.
@@ -46,16 +46,16 @@ impl ClassReport {
         let mut rows = vec![head.map(str::to_owned).to_vec()];
         for student in &self.students {
             let points = format!("{} of {}", student.points(), student.max_points());
-            let feedback = student_feedback(student);
+            let feedback = notes_and_skipped_clause(student);
             rows.push(vec![student.name.clone(), points, String::new(), String::new(), feedback]);
-            rows.extend(rows_of_student(student).into_iter().map(|row| {
-                let feedback = row.feedback_with_file();
+            rows.extend(file_rows_of_student(student).into_iter().map(|row| {
+                let feedback = row.feedback_with_path_if_needed();
                 vec![String::new(), String::new(), row.picture, row.verdict, feedback]
             }));
         }
         let skipped = self.skipped_paths.clause();
         let sentence = skipped.map(|clause| format!("\nBeside the students' folders, {clause}\n"));
-        align(&rows) + &sentence.unwrap_or_default()
+        align_columns(&rows) + &sentence.unwrap_or_default()
     }
 
     /// Formats the report for a spreadsheet. The byte order mark at the start tells the spreadsheet
@@ -68,10 +68,10 @@ impl ClassReport {
                 student: student.name.clone(),
                 points: Some(student.points()),
                 max_points: Some(student.max_points()),
-                feedback: student_feedback(student),
+                feedback: notes_and_skipped_clause(student),
                 ..CsvRow::default()
             });
-            rows.extend(rows_of_student(student).into_iter().map(|row| CsvRow {
+            rows.extend(file_rows_of_student(student).into_iter().map(|row| CsvRow {
                 student: student.name.clone(),
                 picture: row.picture,
                 point: row.point,
@@ -137,12 +137,12 @@ impl OwnPicturesReport {
         }
         let head = ["picture", "verdict", "feedback"].map(str::to_owned);
         let mut rows = vec![head.to_vec()];
-        rows.extend(rows_of_student(report).into_iter().map(|row| {
-            let feedback = row.feedback_with_file();
+        rows.extend(file_rows_of_student(report).into_iter().map(|row| {
+            let feedback = row.feedback_with_path_if_needed();
             vec![row.picture, row.verdict, feedback]
         }));
         let count = format!("{} of {} are right.\n", self.right_count(), report.max_points());
-        align(&rows) + "\n" + &count + &skipped
+        align_columns(&rows) + "\n" + &count + &skipped
     }
 
     /// Formats the report as JSON.
@@ -164,7 +164,7 @@ impl OwnPicturesReport {
 }
 
 /// A row in a table, about a file or a missing picture.
-struct PictureRow {
+struct FileRow {
     picture: String,
     /// 1 or 0 in the first row of a picture that counts. None in all other rows.
     point: Option<u8>,
@@ -175,11 +175,11 @@ struct PictureRow {
     is_one_of_several: bool,
 }
 
-impl PictureRow {
+impl FileRow {
     /// The feedback. If the picture has several files, or if the file is in a subfolder, the path
     /// of the file precedes the feedback. From these paths, a person can tell if a student's folder
     /// really holds the work of several students.
-    fn feedback_with_file(&self) -> String {
+    fn feedback_with_path_if_needed(&self) -> String {
         let needs_path = |path: &&str| self.is_one_of_several || path.contains('/');
         let path = self.file.as_deref().filter(needs_path).unwrap_or_default();
         let parts = [path, &self.feedback].into_iter().filter(|part| !part.is_empty());
@@ -188,15 +188,15 @@ impl PictureRow {
 }
 
 /// Returns a row for each of a student's files and missing pictures.
-fn rows_of_student(student: &StudentReport) -> Vec<PictureRow> {
-    student.pictures.iter().flat_map(rows_of_picture).collect()
+fn file_rows_of_student(student: &StudentReport) -> Vec<FileRow> {
+    student.pictures.iter().flat_map(file_rows_of_picture).collect()
 }
 
-fn rows_of_picture(picture: &PictureReport) -> Vec<PictureRow> {
+fn file_rows_of_picture(picture: &PictureReport) -> Vec<FileRow> {
     let point = picture.is_counted.then(|| picture.earns_point().into());
     let name = picture.picture.to_owned();
     if picture.files.is_empty() {
-        return vec![PictureRow {
+        return vec![FileRow {
             picture: name,
             point,
             verdict: MISSING.to_owned(),
@@ -205,7 +205,7 @@ fn rows_of_picture(picture: &PictureReport) -> Vec<PictureRow> {
             is_one_of_several: false,
         }];
     }
-    let row = |(k, file): (usize, &FileReport)| PictureRow {
+    let row = |(k, file): (usize, &FileReport)| FileRow {
         picture: name.clone(),
         point: point.filter(|_| k == 0),
         verdict: file.feedback.verdict.label().to_owned(),
@@ -244,7 +244,7 @@ fn skipped_paths_json(skipped_paths: &SkippedPaths) -> String {
 }
 
 /// Returns the notes on a student, and a clause about what was skipped.
-fn student_feedback(student: &StudentReport) -> String {
+fn notes_and_skipped_clause(student: &StudentReport) -> String {
     let notes = student.notes.iter().map(|note: &Note| note.clause());
     let clauses = notes.chain(student.skipped_paths.clause());
     clauses.collect::<Vec<_>>().join("; ")

@@ -3,7 +3,7 @@
 //! paper.
 
 use crate::changed_number::{format_quantity, owner_names};
-use crate::class::table::align;
+use crate::class::table::align_columns;
 use crate::class::write_folder::{NewFile, WriteFolderError, write_new_folder};
 use crate::comparison::scattered_positions;
 use crate::escape_for_terminal;
@@ -128,7 +128,7 @@ impl Sheet {
             Some(secret) => format!("{name} {secret}"),
             None => name.to_owned(),
         };
-        let scene = StepScene::of_name(&scene_name);
+        let scene = StepScene::of_generated_scene(&scene_name);
         let tables = [Owner::Object, Owner::Light, Owner::Scene]
             .map(|owner| number_table(&scene, owner))
             .to_vec();
@@ -161,7 +161,7 @@ impl Sheet {
         let mut markdown = format!("# The scene of {}\n\n", self.name);
         for table in &self.tables {
             // Indent the lines. This makes them code in Markdown, so that the columns stay aligned.
-            let lines = align(table);
+            let lines = align_columns(table);
             markdown.extend(lines.lines().flat_map(|line| ["    ", line, "\n"]));
             markdown += "\n";
         }
@@ -364,7 +364,7 @@ mod tests {
 
     #[test]
     fn table_has_headings_and_numbers_as_typed_in_rust() {
-        let table = number_table(&StepScene::of_name("ada"), Owner::Object);
+        let table = number_table(&StepScene::of_generated_scene("ada"), Owner::Object);
         assert_eq!(table[0], ["", "the position", "the radius", "R_s", "n", "the colour"]);
         assert_eq!(table[1][..3], ["ball 1", "(0.65, -0.3, -7.4)", "1.06"]);
     }

@@ -1,7 +1,7 @@
 //! Compares one student's pictures with the pictures of the course.
 
 use crate::class::feedback::{Feedback, judge};
-use crate::class::folder::{Contents, FoundFile};
+use crate::class::folder::{FolderContents, FoundFile};
 use crate::class::skipped_paths::{SkipReason, SkippedPaths};
 use crate::target::find_name_in_file_name;
 use crate::{Answer, CheckError, check_png, escape_for_terminal, read_bounded_file};
@@ -111,10 +111,10 @@ impl PictureReport {
 /// Checks all files in a student's folder that are named after a picture.
 pub(crate) fn check_student(
     name: String,
-    contents: Contents,
+    contents: FolderContents,
     required: &[&'static str],
 ) -> StudentReport {
-    let Contents { files, mut skipped_paths } = contents;
+    let FolderContents { files, mut skipped_paths } = contents;
     let is_empty = files.is_empty() && skipped_paths.is_empty();
     let files_and_pictures: Vec<_> =
         files.iter().map(|file| (file, picture_of_file(file))).collect();

@@ -1,7 +1,7 @@
 //! Aligns text in columns.
 
 /// Formats rows so that each column is as wide as its longest cell.
-pub(crate) fn align(rows: &[Vec<String>]) -> String {
+pub(crate) fn align_columns(rows: &[Vec<String>]) -> String {
     let width = |k: usize| rows.iter().map(|row| row[k].chars().count()).max().unwrap_or(0);
     let widths: Vec<_> = (0..rows.first().map_or(0, Vec::len)).map(width).collect();
     let line = |row: &Vec<String>| {
@@ -18,7 +18,7 @@ mod tests {
     #[test]
     fn columns_are_as_wide_as_their_longest_word() {
         let rows = [["a", "bc", ""], ["öä", "", "d"]].map(|row| row.map(str::to_owned).to_vec());
-        assert_eq!(align(&rows), "a   bc\nöä      d\n");
-        assert_eq!(align(&[]), "");
+        assert_eq!(align_columns(&rows), "a   bc\nöä      d\n");
+        assert_eq!(align_columns(&[]), "");
     }
 }
