@@ -224,7 +224,7 @@ fn describe_wrong_pixels(comparison: &Comparison, facts: Vec<String>) -> Vec<Str
             Step::Sphere => "steps 1 and 2".to_owned(),
             step => format!("steps 1 to {}", step.number()),
         };
-        lines.push(format!("The tests by hand of {steps} may find it: {TEST_COMMAND}"));
+        lines.push(format!("The tests by hand in {steps} may find it: {TEST_COMMAND}"));
     }
     lines.extend(describe_most_different_pixel(comparison).lines().map(str::to_owned));
     lines

@@ -97,7 +97,7 @@ fn missing_light_sentence(wrong: &[Pixel], scene: &StepScene) -> Option<String> 
     })?;
     let missing: Vec<_> =
         (0..count).filter(|k| is_left_out(choice, *k)).map(|k| &*names[k]).collect();
-    Some(format!("Each wrong pixel is ours without {}.", missing.join(" and ")))
+    Some(format!("Each wrong pixel is what ours would be without {}.", missing.join(" and ")))
 }
 
 #[cfg(test)]

@@ -177,8 +177,8 @@ fn describe_unusual_features(info: &Info) -> Vec<String> {
     }
     if info.animation_control().is_some() {
         notes.push(
-            "The file is animated; its still image, which programs without animation show, was \
-             looked at."
+            "The file is animated; the answer is about its still image, which programs without \
+             animation show."
                 .to_owned(),
         );
     }

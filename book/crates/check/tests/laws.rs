@@ -88,7 +88,7 @@ fn wrong_picture_of_any_step_names_the_tests_of_step_1() {
             let answer = check(picture, step.name());
             let has_step_1 = ["step 1 ", "steps 1 "]
                 .iter()
-                .any(|words| answer.to_string().contains(&format!("The tests by hand of {words}")));
+                .any(|words| answer.to_string().contains(&format!("The tests by hand in {words}")));
             assert!(has_step_1 || answer.verdict == Verdict::Right, "{answer}");
         }
     }
