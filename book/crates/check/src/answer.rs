@@ -5,8 +5,7 @@ use course::{Mistake, Step, draw_with_difference, json};
 use image::RgbImage;
 use std::fmt::{self, Display, Formatter};
 
-/// The exit code if the arguments are wrong or nothing could be compared. [`Verdict::exit_code`]
-/// returns the other exit codes.
+/// The exit code if the arguments are wrong, or if the program can't do its task.
 pub const FAILURE_EXIT_CODE: u8 = 2;
 
 /// The verdict on a picture that was compared with ours.
@@ -117,8 +116,7 @@ pub struct ComparedPictures {
 /// Reasons to doubt that a picture differs from ours only because of other options.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct OptionDoubts {
-    /// The listed mistakes with which a program draws the same picture, although it uses the
-    /// default options.
+    /// The listed mistakes that produce the same picture with the default options.
     pub mistakes: Vec<&'static Mistake>,
     /// Whether the whole picture is one colour. Many options and mistakes produce such a picture.
     pub is_one_colour: bool,
@@ -137,8 +135,8 @@ pub struct Answer {
     pub details: Vec<String>,
     /// All changes we know of that reproduce this picture exactly.
     pub causes: Vec<Cause>,
-    /// Both pictures, if they differ but have the same size. None if other options explain the
-    /// difference.
+    /// Both pictures, for drawing the difference. None if they are equal, if their sizes differ, or
+    /// if other options explain the difference.
     pub compared_pictures: Option<ComparedPictures>,
     /// The line about the causes, unless that is the headline.
     pub(crate) causes_line: Option<String>,
@@ -220,8 +218,8 @@ impl Display for Answer {
     }
 }
 
-/// Joins the first `max_items` items of a list. If the list is longer, the text ends in the number
-/// of the other items, such as `2 more`.
+/// Joins the first `max_items` items of a list. If this leaves out items, the text ends in their
+/// number, such as `2 more`.
 pub(crate) fn join_first(mut items: Vec<String>, max_items: usize, separator: &str) -> String {
     let more = items.len().saturating_sub(max_items);
     items.truncate(max_items);

@@ -14,11 +14,12 @@ const MIN_CHANGED_VALUES: usize = 16;
 /// The maximum number of bytes listed in one sentence.
 const MAX_BYTES: usize = 3;
 
-/// The number of pixels in a first test for a curve. If they pass it, all pixels are tested.
+/// The number of pixels that we test first for a curve. We test all pixels only if these lie on
+/// one.
 const FIRST_PIXELS: usize = 500;
 
-/// Returns sentences about what may have been copied into every wrong pixel: one of our channels
-/// into all three bytes, or the colour of a neighbour in our picture.
+/// Returns sentences about what every wrong pixel may be a copy of: one of our channels in all
+/// three bytes, or the colour of a neighbouring pixel in our picture.
 pub(crate) fn copied_channel_or_neighbour_sentences(comparison: &Comparison) -> Vec<String> {
     let mut sentences = vec![];
     let mut add_if = |words: &str, holds: &dyn Fn(&Pixel) -> bool| {
@@ -53,9 +54,11 @@ pub(crate) fn one_colour_sentence(wrong: &[Pixel]) -> Option<String> {
     is_one.then(|| format!("Each wrong pixel is ({r}, {g}, {b})."))
 }
 
-/// Describes your bytes as a function of ours. Returns None if there is no such function, because
-/// equal bytes of ours became different bytes of yours. Also returns None if a wrong colour could
-/// be the reason, because few byte values changed, and only in the sky or only in the objects.
+/// Describes your bytes as a function of ours. Returns None in two cases:
+///
+/// - There is no such function, since equal bytes of ours became different bytes of yours.
+/// - A wrong colour could be the reason, since few byte values have changed, and only the sky or
+///   only the objects differ.
 pub(crate) fn byte_depends_on_our_byte_sentence(
     comparison: &Comparison,
     scene: &StepScene,
@@ -82,7 +85,7 @@ pub(crate) fn byte_depends_on_our_byte_sentence(
 }
 
 /// Whether only the sky or only the objects differ. If so, their colours may be wrong instead of
-/// the conversion to bytes.
+/// the conversion to bytes. Returns false in step 1, which has no objects.
 fn only_sky_or_only_objects_differ(comparison: &Comparison, scene: &StepScene) -> bool {
     let wrong_sky = comparison.wrong.iter().filter(|pixel| pixel.hit.is_none()).count();
     scene.step > Step::Rays && [0, comparison.wrong.len()].contains(&wrong_sky)
@@ -118,7 +121,7 @@ pub(crate) fn byte_depends_on_our_intensity_sentence(
     Some(format!("Each byte depends only on our intensity: {}.{file}", clauses.join(", ")))
 }
 
-/// Returns all intensities of these pixels in ascending order, each with your byte and ours.
+/// Returns all intensities of these pixels in ascending order, each with your byte and our byte.
 /// Returns None unless your bytes are a monotonic function of the intensities.
 fn sorted_curve_if_monotonic<'a>(
     pixels: impl Iterator<Item = &'a Pixel>,

@@ -12,8 +12,7 @@ use course::{PICTURE_ROWS, Step, camera};
 use std::ops::RangeInclusive;
 use step01_rays::Camera;
 
-/// One of six numbers in the camera's matrix: the x and the y of each of the vectors D_u, D_v and
-/// V_0.
+/// One of six numbers in the camera's matrix: the x or the y of the vector D_u, D_v or V_0.
 #[derive(Clone, Copy)]
 struct MatrixNumber {
     column: usize,
@@ -50,6 +49,7 @@ pub(crate) fn describe_fitting_cameras(
 }
 
 impl MatrixNumber {
+    /// All six numbers.
     fn all_x_and_y() -> impl Iterator<Item = Self> {
         (0..2).flat_map(|row| (0..3).map(move |column| Self { column, row }))
     }
@@ -123,10 +123,9 @@ fn cameras_with_wrong_formulas() -> Vec<(Camera, String)> {
     cameras
 }
 
-/// Returns candidates for the value of a number, those with the fewest digits first. All values in
-/// a certain interval reproduce the sky, and the candidates come from this interval. The caller
-/// still has to test them on the objects. If our own value is in the interval, returns no
-/// candidates, since then the number isn't the cause.
+/// Returns candidates for the value of a number, those with the fewest digits first. All of them
+/// reproduce the sky, but the caller still has to test them on the objects. If our own value also
+/// reproduces the sky, returns no candidates, since then the number isn't the cause.
 fn values_from_sky(comparison: &Comparison, scene: &StepScene, number: MatrixNumber) -> Vec<f64> {
     let Some(bounds) = bound_by_sky(comparison, scene, number) else { return vec![] };
     let (ours, matrix) = (number.our_value(), camera().matrix);
@@ -167,7 +166,7 @@ fn bound_by_sky(
     //
     // - Our picture shows the sky there.
     // - The blue of your pixel is 255.
-    // - In the channel that doesn't depend on the number, your byte equals ours.
+    // - One of red and green depends on the number. In the other one, your byte equals ours.
     //
     // From step 4 on, a highlight might pass for sky, so we look only at the upper third of the
     // picture, where there are hardly any highlights.

@@ -52,7 +52,8 @@ pub(crate) fn owner_names(scene: &StepScene, owner: Owner) -> Vec<String> {
     }
 }
 
-/// Returns the numbers in a range that somebody is likely to type, in ascending order.
+/// Returns the numbers in a range that somebody is likely to type: multiples of
+/// 1/`steps_per_unit`, in ascending order.
 fn numbers_in_typed_range(
     TypedRange { range: [start, end], steps_per_unit, .. }: TypedRange,
 ) -> impl Iterator<Item = f64> {
@@ -60,8 +61,8 @@ fn numbers_in_typed_range(
     numerators.map(move |numerator| f64::from(numerator) / f64::from(steps_per_unit))
 }
 
-/// Formats a quantity as it is typed in Rust: `-2.5`, or `(1, -2.5, 0)`. The quantity belongs to the
-/// owner with index `owner_index`, for example to an object.
+/// Formats a quantity as it is typed in Rust: `-2.5`, or `(1, -2.5, 0)`. The quantity belongs to
+/// the owner with index `owner_index`, for example to an object.
 pub(crate) fn format_quantity(quantity: &Quantity, own: &OwnScene, owner_index: usize) -> String {
     let numbers: Vec<_> =
         quantity.scalars.iter().map(|scalar| scalar.get(own, owner_index)).collect();

@@ -26,9 +26,9 @@ use crate::class::student::{StudentReport, check_student};
 use rayon::prelude::*;
 use std::path::Path;
 
-/// Reports on every picture in the students' folders. If there is a list of `names`, each of them
-/// is the full name of a student's folder. The report then says which folders are missing, and
-/// which folders aren't in the list. Only the `required` pictures count towards a student's points.
+/// Reports on every picture in the students' folders. `names` lists the full names of the folders
+/// that should be there. With this list, the report says which folders are missing, and which
+/// folders aren't in the list. Only the `required` pictures count towards a student's points.
 /// If no pictures are required, all pictures count.
 pub fn report_on_class(
     folder: &Path,

@@ -23,7 +23,8 @@ const MAX_DIFF_LINES: usize = 4;
 /// the same effect as typing other options. So it isn't a reason for [`OptionDoubts`].
 const OPTIONS_FILE: &str = "steps/step01_rays/src/program.rs";
 
-/// A line about exercises. We have no scenes for exercises, so we can't try out options.
+/// A line for answers about exercises. We have no scenes for exercises, so we can't try out
+/// options.
 const EXERCISE_NOTE: &str =
     "Ours is drawn without options. With options, a right program may draw a different picture.";
 
@@ -63,7 +64,8 @@ pub(crate) fn explain(yours: &ReaderPicture, target: &Target) -> Explanation {
     let mistakes =
         target.name.as_ref().map(|name| yours.find_mistakes_for_target(name)).unwrap_or_default();
     let options = target.scene.as_ref().and_then(|scene| find_options(scene, &yours.rgb));
-    // Prefer a listed mistake to options with an angle that hardly anybody would type.
+    // Hardly anybody types an angle with more than one decimal. So if the options need such an
+    // angle and a listed mistake also fits, report the mistake instead of the options.
     if let Some(options) = &options
         && (options.has_at_most_one_decimal() || mistakes.is_empty())
     {

@@ -18,8 +18,8 @@ const MAX_FACTS: usize = 3;
 /// sentences are true by chance.
 const MIN_PIXELS: usize = 16;
 
-/// The minimum number of different colours that the wrong pixels have in our picture, for a
-/// sentence about every wrong pixel.
+/// For a sentence about every wrong pixel, these pixels must have at least this many different
+/// colours in our picture.
 const MIN_COLOURS: usize = 4;
 
 /// Returns sentences that are true of the wrong pixels, strongest first. If we have a scene, the
@@ -29,8 +29,8 @@ pub(crate) fn find_facts(comparison: &Comparison) -> Vec<String> {
     let regions = scene.map(|scene| count_pixels_per_region(comparison, scene));
     let are_enough_evidence = are_enough_evidence(&comparison.wrong);
     let scene_if_enough_evidence = scene.filter(|_| are_enough_evidence);
-    // Too much light makes pixels white, too, and a curve describes it. So if a curve fits, we
-    // don't look for undrawn pixels.
+    // Pixels may be white because of too much light, and not because they are undrawn. In that
+    // case a curve fits, and we don't look for undrawn pixels.
     let curve = scene_if_enough_evidence.and_then(|scene| {
         byte_depends_on_our_intensity_sentence(comparison, scene)
             .or_else(|| byte_depends_on_our_byte_sentence(comparison, scene))
@@ -56,8 +56,8 @@ pub(crate) fn find_facts(comparison: &Comparison) -> Vec<String> {
     facts
 }
 
-/// Whether there are enough wrong pixels, and whether they have enough different colours in our
-/// picture.
+/// Whether a sentence that is true of every wrong pixel is unlikely to be true by chance: there are
+/// enough wrong pixels, and they have enough different colours in our picture.
 fn are_enough_evidence(wrong: &[Pixel]) -> bool {
     let colours: BTreeSet<[u8; 3]> = wrong.iter().map(|pixel| pixel.ours).collect();
     wrong.len() >= MIN_PIXELS && colours.len() >= MIN_COLOURS
@@ -68,8 +68,8 @@ fn all_exceed_byte_range(pixels: &[Pixel], scene: &StepScene) -> bool {
     pixels.iter().all(|pixel| scene.colour(&pixel.ray).max_element() > 1.0)
 }
 
-/// Names the terms that are missing from every wrong pixel. They are the smallest set of terms such
-/// that our sum without them gives your colours. Returns None if there is no such set.
+/// Names the terms that are missing from every wrong pixel: the smallest set of terms such that our
+/// sum without these terms gives your colours. Returns None if there is no such set.
 fn missing_light_sentence(wrong: &[Pixel], scene: &StepScene) -> Option<String> {
     let light_terms = |term| scene.light_names.map(|light| format!("the {term} term of {light}"));
     let ambient = ["the ambient term".to_owned()];
@@ -80,7 +80,7 @@ fn missing_light_sentence(wrong: &[Pixel], scene: &StepScene) -> Option<String> 
         _ => return None,
     };
     let is_left_out = |choice: usize, k: usize| choice >> k & 1 == 1;
-    // Leaving out all terms isn't a choice, since every pixel would be black.
+    // The choices don't include leaving out all terms, which would make every wrong pixel black.
     let choices = 1..(1_usize << count) - 1;
     let mut smallest_first = (1..count as u32)
         .flat_map(|terms| choices.clone().filter(move |choice| choice.count_ones() == terms));

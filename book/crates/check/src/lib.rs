@@ -1,11 +1,13 @@
 //! `check` compares a reader's picture with the right one and, if they differ, works out why. In
 //! names, comments and answers, *yours* is the reader's picture, and *ours* is the right one.
 //!
-//! Our picture is either locked or drawn from a scene that is generated from a name. It is part of
-//! a *target* (`target`). Except for exercises, the target also contains the scene, and the step
-//! whose functions draw the scene (`step_scene`). The [`Answer`] consists of a verdict, a headline,
-//! details and causes. What it says about pixels is true of every pixel that it mentions. The
-//! modules `check` and `explain` look for these explanations:
+//! Our picture is either locked or drawn from a scene that is generated from a name. A *target*
+//! (`target`) contains our picture. Unless the picture belongs to an exercise, the target also
+//! contains the scene, and the step whose functions draw the scene (`step_scene`).
+//!
+//! The [`Answer`] consists of a verdict, a headline, details and causes. What the answer says about
+//! pixels is true of every pixel that it mentions. The modules `check` and `explain` look for these
+//! explanations:
 //!
 //! 1. The picture is **right**.
 //! 2. A right program draws it **with other options** (`other_options`). Then no code is blamed.
@@ -20,12 +22,12 @@
 //!    (`byte_facts`), and which objects they belong to (`regions`).
 //!
 //! An answer about a wrong picture of the right size also shows one wrong pixel (`wrong_pixel`).
-//! Except for exercises, it names the `by_hand` tests to run, and says what our program computes at
-//! this pixel.
+//! Unless the picture belongs to an exercise, the answer also names the `by_hand` tests to run, and
+//! says what our program computes at this pixel.
 //!
 //! `check` also reports on a whole class, given a folder that contains one folder per student
-//! (`class`). For a list of names, it writes sheets: each contains the numbers of the scene that is
-//! generated from one of these names (`class::scene_sheet`).
+//! (`class`). For a list of names, it writes one sheet per name, with the numbers of the scene that
+//! is generated from this name (`class::scene_sheet`).
 //!
 //! A `Budget` limits how many explanations are tried. It counts rays and pixels instead of seconds,
 //! so that the answer is the same on every machine. There is also a limit on how many bytes are

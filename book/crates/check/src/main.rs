@@ -267,8 +267,8 @@ fn check_file_and_save_difference(
     Ok(answer)
 }
 
-/// Saves the picture of the difference in the target folder. Returns a line to add to the answer.
-/// The line says where the picture is, or why it can't be written.
+/// Saves the picture of the difference in Cargo's target folder. Returns a line to add to the
+/// answer. The line says where the picture is, or why it can't be written.
 fn save_difference(difference: &RgbImage, file: &Path) -> String {
     let folder = course::target_folder().join("check");
     let path = folder.join(file.with_extension("difference.png").file_name().unwrap_or_default());

@@ -33,8 +33,8 @@ const OBJECT_TOLERANCE: f64 = 64.0;
 /// cover a large part of an object.
 const COARSE_COLUMNS: u32 = 64;
 
-/// A border pixel counts as sky if it is as blue as the sky. Some of these pixels may belong to an
-/// object nevertheless: among this many bytes, we allow for one byte of an object.
+/// A border pixel counts as sky if it is as blue as the sky. A few of these pixels may nevertheless
+/// belong to an object, so we allow for one wrong byte in this many bytes.
 const BORDER_BYTES_PER_WRONG_BYTE: i32 = 20;
 
 /// Angles with four decimals are tried only if the bounds on the angle are less than this many
@@ -106,7 +106,7 @@ impl Options {
     }
 
     /// The lines after the headline. They say which options our picture is drawn with, and where to
-    /// look if the reader used the same options.
+    /// look if the reader gave no other options.
     pub fn advice_on_default_options() -> Vec<String> {
         vec![
             "Ours is drawn with the default options: --width 640 --aspect 16:9 --fov 60 --samples 1."
@@ -195,9 +195,9 @@ fn fine_angles_that_fit_border(yours: &RgbImage) -> impl Iterator<Item = f64> {
     })
 }
 
-/// Finds the numbers that lie in the most intervals, or in almost as many. Returns the smallest and
-/// the largest of these numbers. Almost as many are enough, because some intervals may be wrong: a
-/// highlight may pass for sky. If there are no intervals, returns 0 and infinity.
+/// Returns the smallest and the largest of the numbers that lie in many intervals: in the maximum
+/// number of intervals, or in almost as many. We accept almost as many, because some intervals may
+/// be wrong: a highlight may pass for sky. If there are no intervals, returns 0 and infinity.
 fn find_common_bounds(intervals: &[(f64, f64)]) -> (f64, f64) {
     if intervals.is_empty() {
         return (0.0, f64::INFINITY);
@@ -224,8 +224,8 @@ fn find_common_bounds(intervals: &[(f64, f64)]) -> (f64, f64) {
     (changes[first].0, changes[last].0)
 }
 
-/// Returns positions on the border of a picture, starting at a corner. With most angles of view,
-/// the border shows the sky.
+/// Returns at most 50 positions on each side of a picture, starting at a corner. With most angles
+/// of view, the border shows the sky.
 fn sampled_border_positions((columns, rows): (u32, u32)) -> impl Iterator<Item = (u32, u32)> {
     let downwards = (0..rows).step_by(rows.div_ceil(50) as usize);
     let across = (0..columns).step_by(columns.div_ceil(50) as usize);
@@ -233,10 +233,10 @@ fn sampled_border_positions((columns, rows): (u32, u32)) -> impl Iterator<Item =
     sides.chain(across.flat_map(move |i| [(i, 0), (i, rows - 1)]))
 }
 
-/// Whether there may be a number of samples for which the pixel is right. We compute only the
-/// colour at the pixel's centre. In the sky, colours change linearly, so the mean over the pixel
-/// equals the colour at its centre. Within an object, the two are close if pixels are small. At an
-/// edge, the mean may be anything, so we accept every colour.
+/// Whether the pixel may be right with some number of samples. We compute only the colour at the
+/// pixel's centre. In the sky, colours change linearly, so the mean over the pixel equals the
+/// colour at its centre. Within an object, the two are close if pixels are small. At an edge, the
+/// mean may be anything, so we accept every colour.
 fn may_be_right(scene: &StepScene, camera: &Camera, yours: &RgbImage, (i, j): (u32, u32)) -> bool {
     let (x, y) = (f64::from(i), f64::from(j));
     let seen_at = |(u, v)| scene.visible_hit(&camera.ray(x + u, y + v)).map(|hit| hit.object);

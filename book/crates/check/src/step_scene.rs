@@ -77,7 +77,7 @@ impl StepScene {
         self.first_hits_on_objects(ray).min_by(|a, b| a.t.total_cmp(&b.t))
     }
 
-    /// The intensity of an object at a hit, whether or not the hit is visible.
+    /// The intensity of the light from an object at a hit, whether or not the hit is visible.
     pub fn colour_at_hit(&self, ray: &Ray, hit: ObjectHit) -> DVec3 {
         match self.step < Step::Diffuse {
             true => self.own.scene.objects[hit.object].material.matte.diffuse,

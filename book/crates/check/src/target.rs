@@ -6,8 +6,8 @@ use course::{Step, camera};
 use image::RgbImage;
 use step01_rays::render;
 
-/// A right picture to compare with. It is either locked or drawn from a scene that is generated
-/// from a name.
+/// A right picture, which a reader's picture should equal. It is either locked or drawn from a
+/// scene that is generated from a name.
 pub(crate) struct Target {
     /// The phrase that stands for the picture in a sentence, such as `the picture of glass`.
     pub title: String,

@@ -10,8 +10,8 @@ pub fn run_on_threads<T: Send>(act: impl FnOnce() -> T + Send) -> T {
     match ThreadPoolBuilder::new().num_threads(count).build() {
         Ok(threads) => threads.install(act),
         Err(_) => {
-            // `build_global` fails only if rayon already has a global pool. Then `act` uses that
-            // pool.
+            // `build_global` fails only if rayon already has a global pool. In that case, `act`
+            // uses the existing pool.
             let _ = ThreadPoolBuilder::new().num_threads(1).use_current_thread().build_global();
             act()
         }

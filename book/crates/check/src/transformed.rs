@@ -4,14 +4,14 @@
 use crate::comparison::{Budget, scattered_positions};
 use image::RgbImage;
 
-/// The maximum number of pixels to compare in the search for the corner of a part of our picture.
+/// The maximum number of pixels to compare in the search for the reader's picture inside ours.
 const MAX_COMPARED_PIXELS: u32 = 1 << 26;
 
 /// The minimum number of pixels in a part of our picture. Smaller parts might match by chance.
 const MIN_PIXELS: usize = 100;
 
 /// Maps a position in our picture to the position of the same pixel in the turned picture. The
-/// second argument consists of the last column and the last row of our picture.
+/// second argument consists of the numbers of our last column and our last row.
 type Turn = fn((u32, u32), (u32, u32)) -> (u32, u32);
 
 const TURNS: [(&str, Turn); 6] = [
@@ -60,9 +60,9 @@ pub(crate) fn uniform_colour(picture: &RgbImage) -> Option<[u8; 3]> {
     (bytes[3..] == bytes[..bytes.len() - 3]).then_some(first)
 }
 
-/// Returns a clause, such as `upside down`, for each turn that makes our picture equal to yours.
-/// The channels may be in a different order, too. If several orders fit, the clause names the first
-/// of them.
+/// Returns a clause, such as `upside down`, for each turn that makes our picture equal to yours,
+/// perhaps with two channels exchanged. If several orders of the channels fit, the clause names the
+/// first of them.
 fn turned_or_swapped_clauses(yours: &RgbImage, ours: &RgbImage) -> Vec<String> {
     if yours.pixels().len() != ours.pixels().len() {
         return vec![];
@@ -83,8 +83,8 @@ fn turned_or_swapped_clauses(yours: &RgbImage, ours: &RgbImage) -> Vec<String> {
     clauses.collect()
 }
 
-/// Returns a clause, such as `enlarged 2 times`, if your picture is a part of our picture, or if it
-/// is all of our picture enlarged.
+/// Returns a clause, such as `enlarged 2 times`, if your picture is a part of our picture, or our
+/// whole picture enlarged.
 fn part_or_enlarged_clause(yours: &RgbImage, ours: &RgbImage) -> Option<String> {
     let ((w, h), (columns, rows)) = (yours.dimensions(), ours.dimensions());
     if let Some((i, j)) = find_corner(yours, ours) {

@@ -17,15 +17,16 @@ const BLACK: [u8; 3] = [0; 3];
 const WHITE: [u8; 3] = [255; 3];
 
 /// Describes wrong pixels that form a simple shape and are black or white, so that they may be
-/// undrawn. About white pixels, the sentence doesn't say that they may be undrawn, since they may
-/// also come from too much light.
+/// undrawn. The sentence about white pixels doesn't mention this reason, since too much light also
+/// makes pixels white.
 ///
-/// If black pixels form no simple shape, describes them only if every wrong pixel is black, and if
-/// a part of the sky is wrong, but not all of it.
+/// Black pixels that form no simple shape are described only on two conditions: every wrong pixel
+/// is black, and a part of the sky is wrong, but not all of it.
 pub(crate) fn undrawn_sentence(comparison: &Comparison) -> Option<String> {
     black_pixels_sentence(comparison).or_else(|| white_pixels_sentence(comparison))
 }
 
+/// Describes the black pixels among the wrong ones, and says whether they may be undrawn.
 fn black_pixels_sentence(comparison: &Comparison) -> Option<String> {
     let mask = Mask::of_colour_if_common(comparison, BLACK)?;
     let Comparison { wrong, right, target, .. } = comparison;
@@ -50,6 +51,7 @@ fn black_pixels_sentence(comparison: &Comparison) -> Option<String> {
     is_all.then(|| format!("All {count} wrong pixels are black, as if never drawn."))
 }
 
+/// Describes the white pixels among the wrong ones if they form a simple shape.
 fn white_pixels_sentence(comparison: &Comparison) -> Option<String> {
     let mask = Mask::of_colour_if_common(comparison, WHITE)?;
     let Shape { words, .. } = mask.find_shape()?;
@@ -108,6 +110,7 @@ impl Mask {
         (count >= MIN_PIXELS).then(|| Self::of_colour(comparison, colour))
     }
 
+    /// Creates the mask for a colour.
     fn of_colour(comparison: &Comparison, colour: [u8; 3]) -> Self {
         let (columns, rows) = comparison.target.picture.dimensions();
         let mut memberships = vec![Membership::Outside; columns as usize * rows as usize];
@@ -190,8 +193,8 @@ impl Mask {
         }
         let shape = if bars.len() == 4 { "a frame" } else { "bars" };
         let widths: Vec<_> = bars.iter().map(|(side, width)| format!("{width} {side}")).collect();
-        // A loop may leave out just the first and the last line. A border from an editor is wider
-        // than one pixel.
+        // A loop may leave out just the first and the last row or column. A border from an editor
+        // is wider than one pixel.
         let is_loop = bars.iter().all(|(_, width)| *width == 1);
         let cause = if is_loop { ShapeCause::Loop } else { ShapeCause::Editor };
         let simile = if is_loop { "" } else { ", as editors add them" };
@@ -265,7 +268,7 @@ impl Mask {
         Some(Shape { words: words.join(", and "), cause })
     }
 
-    /// Finds every nth pixel, counted row by row.
+    /// Finds a pattern of pixels that repeats in reading order, such as every 3rd pixel.
     fn find_periodic_pixels(&self) -> Option<Shape> {
         let number = |i: u32, j: u32| j * self.columns + i;
         let (period, remainders) = self.find_period(number)?;
@@ -274,6 +277,7 @@ impl Mask {
         Some(Shape { words, cause: ShapeCause::Loop })
     }
 
+    /// Finds a pattern of diagonals that repeats, such as every 5th diagonal.
     fn find_periodic_diagonals(&self) -> Option<Shape> {
         let describe = |direction: &str, (period, remainders): (u32, BTreeSet<u32>)| {
             let diagonals = format_period("diagonal", period, remainders.len());
@@ -288,9 +292,9 @@ impl Mask {
             .or_else(|| rising().map(|found| describe("rising to the right", found)))
     }
 
-    /// Looks for a shape that repeats. Each pixel has a number, and the shape must consist of all
-    /// pixels whose number, divided by a period, leaves certain remainders. Returns the smallest
-    /// such period, and these remainders.
+    /// Looks for a shape that repeats. `number` gives each pixel a number. The shape must consist
+    /// of all pixels whose number, divided by a period, leaves certain remainders. Returns the
+    /// smallest such period, and these remainders.
     fn find_period(&self, number: impl Fn(u32, u32) -> u32) -> Option<(u32, BTreeSet<u32>)> {
         let inside: Vec<_> = self.inside_positions().map(|(i, j)| number(i, j)).collect();
         (2..=LARGEST_PERIOD).find_map(|period| {
@@ -329,7 +333,7 @@ fn join_columns_and_rows(columns: &Option<String>, rows: &Option<String>) -> Opt
 }
 
 /// Describes a pattern that repeats, such as `every 3rd pixel`. If each period contains two pixels,
-/// the description is of the form `2 of every 5 pixels`. `word` is `pixel` or `diagonal`.
+/// the description is of the form `2 of every 5 pixels`.
 fn format_period(pixel_or_diagonal: &str, period: u32, count_per_period: usize) -> String {
     match count_per_period {
         1 => format!("every {} {pixel_or_diagonal}", format_ordinal(period)),

@@ -78,8 +78,8 @@ fn submitted_files() -> SubmittedFiles {
 
 const FOLDERS: &str = "**Moodle, D2L Brightspace, Gradescope and GitHub**";
 
-/// About two dozen students submit files on seven platforms. The report says that a picture is
-/// right, or else it names the picture, so that the teacher looks at it.
+/// About two dozen students submit files on seven platforms. The reports call each picture right,
+/// or name it so that the teacher looks at it.
 #[test]
 fn made_up_downloads_are_reported_as_locked() {
     let SubmittedFiles { rays, sphere, flipped, bgr, small, jpeg, text } = submitted_files();

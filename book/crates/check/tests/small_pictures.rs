@@ -148,8 +148,8 @@ fn facts_of_small_pictures_are_as_locked() {
                 Nearest,
                 map_small(Nearest, |i, j, c| if j < 10 { [9, 9, (i % 2) as u8] } else { c }),
             ),
-            // In these pictures, each byte depends only on our intensity or only on our byte, or
-            // almost does.
+            // In these pictures, all or almost all bytes depend only on our intensity, or only on
+            // our byte.
             ("falling bytes", Phong, map_small(Phong, |_, _, c| c.map(|b| 255 - b))),
             ("falling bytes", Rays, map_small(Rays, |_, _, c| c.map(|b| 255 - b))),
             ("half", Sphere, map_small(Sphere, |_, _, c| c.map(|b| b / 2))),

@@ -68,7 +68,7 @@ pub(crate) fn judge(result: &Result<Answer, CheckError>, earlier: &[PictureRepor
 /// Judges a picture that a right program draws with other options. The picture earns no point if a
 /// listed mistake produces it, too. For example, a program with tan θ in place of tan(θ/2) draws
 /// exactly the picture of `--fov 120`. A picture of one colour earns no point either, since many
-/// options and mistakes produce it.
+/// options and mistakes produce such a picture.
 fn judge_options(answer: &Answer) -> Feedback {
     let doubts = &answer.option_doubts;
     let causes: Vec<_> = doubts.mistakes.iter().map(|mistake| Cause::Mistake(mistake)).collect();

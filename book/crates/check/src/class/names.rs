@@ -51,7 +51,8 @@ pub fn compose_characters(name: &str) -> String {
     name.nfc().collect()
 }
 
-/// Returns the normalized name of a student's folder, or None if the name isn't UTF-8.
+/// Returns the name of a student's folder with composed characters, or None if the name isn't
+/// UTF-8.
 fn composed_folder_name(student: &StudentFolder) -> Option<String> {
     student.name.to_str().map(compose_characters)
 }
@@ -66,6 +67,7 @@ impl DuplicateNames {
         Self(names.filter(|name| !seen.insert(name.clone())).collect())
     }
 
+    /// Returns a note if a second folder has this folder's name.
     pub fn note(&self, student: &StudentFolder) -> Option<Note> {
         let name = composed_folder_name(student)?;
         self.0.contains(&name).then_some(Note::SameNameInOtherForm)

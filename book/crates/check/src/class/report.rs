@@ -153,6 +153,8 @@ impl OwnPicturesReport {
         ])
     }
 
+    /// The number of counted pictures that are right. Such a picture has files, and every one of
+    /// them is right.
     fn right_count(&self) -> usize {
         let is_right =
             |file: &FileReport| file.feedback.verdict == FileVerdict::Compared(Verdict::Right);
@@ -163,10 +165,11 @@ impl OwnPicturesReport {
     }
 }
 
-/// A row in a table, about a file or a missing picture.
+/// A row about a file. A missing picture also has a row, although it has no file.
 struct FileRow {
     picture: String,
-    /// 1 or 0 in the first row of a picture that counts. None in all other rows.
+    /// The point for the picture, 1 or 0. None in all but the picture's first row, and if the
+    /// picture doesn't count.
     point: Option<u8>,
     verdict: String,
     feedback: String,
@@ -187,11 +190,13 @@ impl FileRow {
     }
 }
 
-/// Returns a row for each of a student's files and missing pictures.
+/// Returns a row for each of a student's files, and one for each missing picture.
 fn file_rows_of_student(student: &StudentReport) -> Vec<FileRow> {
     student.pictures.iter().flat_map(file_rows_of_picture).collect()
 }
 
+/// Returns a row for each file of a picture. If there are no files, returns one row, which says
+/// that the picture is missing.
 fn file_rows_of_picture(picture: &PictureReport) -> Vec<FileRow> {
     let point = picture.is_counted.then(|| picture.earns_point().into());
     let name = picture.picture.to_owned();
@@ -243,7 +248,7 @@ fn skipped_paths_json(skipped_paths: &SkippedPaths) -> String {
     json::object([("count", skipped_paths.count.to_string()), ("first", json::list(first))])
 }
 
-/// Returns the notes on a student, and a clause about what was skipped.
+/// Returns the notes on a student and a clause about what was skipped, joined by semicolons.
 fn notes_and_skipped_clause(student: &StudentReport) -> String {
     let notes = student.notes.iter().map(|note: &Note| note.clause());
     let clauses = notes.chain(student.skipped_paths.clause());

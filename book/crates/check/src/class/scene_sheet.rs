@@ -195,8 +195,8 @@ impl Sheet {
     }
 }
 
-/// Builds a table of all numbers that belong to the given kind of owner. The numbers are written as
-/// they are typed in Rust.
+/// Builds a table of the numbers that belong to the given kind of owner, as they are typed in Rust.
+/// Leaves out the numbers that matter only if the scene has mirrors.
 fn number_table(scene: &StepScene, owner: Owner) -> Vec<Vec<String>> {
     let is_seen =
         |quantity: &&Quantity| !quantity.scalars.iter().any(|scalar| scalar.needs_mirrors);
@@ -217,7 +217,8 @@ fn number_table(scene: &StepScene, owner: Owner) -> Vec<Vec<String>> {
 /// 2. Both lights are bright on the visible ball, and the ray meets no other ball.
 /// 3. The first light is bright on the visible ball, and the ray meets no other ball.
 ///
-/// `pixels_to_skip` decides which pixel of this kind is found.
+/// The search passes over the first `pixels_to_skip` pixels, so that not all sheets ask about the
+/// same pixel.
 fn find_problem_pixel(scene: &StepScene, pixels_to_skip: usize) -> Option<ProblemPixel> {
     let find = |ball_count: usize, light_count: usize| {
         let camera = camera();
@@ -233,9 +234,9 @@ fn find_problem_pixel(scene: &StepScene, pixels_to_skip: usize) -> Option<Proble
     find(2, 2).or_else(|| find(1, 2)).or_else(|| find(1, 1))
 }
 
-/// Returns the pixel, with all balls that its ray meets. Returns None if the pixel doesn't show a
-/// ball. Also returns None if the ray grazes a ball: then the discriminant D is small and has fewer
-/// significant digits, so that rounding on paper would spoil the answer.
+/// Returns the pixel at `position` together with all balls that its ray meets. Returns None if the
+/// pixel doesn't show a ball. Also returns None if the ray grazes a ball: then the discriminant D
+/// is small and has fewer significant digits, so that rounding on paper would spoil the answer.
 fn problem_pixel_of_ray(scene: &StepScene, position: (u32, u32), ray: Ray) -> Option<ProblemPixel> {
     let objects = &scene.own.scene.objects;
     let is_ball = |hit: &ObjectHit| hit.object != GROUND;

@@ -84,7 +84,7 @@ impl StudentReport {
         }
     }
 
-    /// Points earned: the number of counted pictures that have earned their point.
+    /// The points earned: the number of counted pictures that have earned their point.
     pub fn points(&self) -> usize {
         self.counted_pictures().filter(|picture| picture.earns_point()).count()
     }
@@ -152,7 +152,8 @@ pub(crate) fn check_student(
     StudentReport { name, pictures, notes, skipped_paths }
 }
 
-/// Returns the picture that a file is named after, if the file may have been meant as a picture.
+/// Returns the name of the picture that a file is named after. Returns None if there is no such
+/// picture, or if the file's extension isn't that of a picture.
 fn picture_of_file(file: &FoundFile) -> Option<&'static str> {
     let name = file.printable_name();
     find_name_in_file_name(name, names_of_right_pictures().into_iter())
