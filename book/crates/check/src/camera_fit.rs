@@ -37,7 +37,7 @@ pub(crate) fn describe_fitting_cameras(
         .collect();
     if descriptions.is_empty() {
         descriptions.extend(MatrixNumber::all_x_and_y().filter_map(|number| {
-            let mut values = values_from_sky(comparison, scene, number).into_iter();
+            let mut values = candidate_values_from_sky(comparison, scene, number).into_iter();
             let value = values.find(|value| gives_picture(&number.camera_with(*value)))?;
             Some(number.describe(&value.to_string()))
         }));
@@ -126,7 +126,11 @@ fn cameras_with_wrong_formulas() -> Vec<(Camera, String)> {
 /// Returns candidates for the value of a number, those with the fewest digits first. All of them
 /// reproduce the sky, but the caller still has to test them on the objects. If our own value also
 /// reproduces the sky, returns no candidates, since then the number isn't the cause.
-fn values_from_sky(comparison: &Comparison, scene: &StepScene, number: MatrixNumber) -> Vec<f64> {
+fn candidate_values_from_sky(
+    comparison: &Comparison,
+    scene: &StepScene,
+    number: MatrixNumber,
+) -> Vec<f64> {
     let Some(bounds) = bound_by_sky(comparison, scene, number) else { return vec![] };
     let (ours, matrix) = (number.our_value(), camera().matrix);
     if bounds.contains(&ours) {
@@ -218,7 +222,7 @@ mod tests {
     }
 
     #[test]
-    fn number_in_each_column_is_found_from_the_sky() {
+    fn number_in_each_matrix_column_is_found_from_the_sky() {
         let target = step01_target();
         let scene = target.scene.as_ref().expect("a step has a scene");
         for (number, value, words) in [

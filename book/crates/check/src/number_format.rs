@@ -45,7 +45,7 @@ mod tests {
     }
 
     #[test]
-    fn typed_numbers_have_parentheses_unless_there_is_one() {
+    fn typed_numbers_have_parentheses_unless_there_is_only_one() {
         assert_eq!(format_as_typed(&[-2.5]), "-2.5");
         assert_eq!(format_as_typed(&[1.0, -2.5, 0.0]), "(1, -2.5, 0)");
         assert_eq!(replace_hyphens_with_minus(&format_as_typed(&[-1.0])), "−1");

@@ -184,7 +184,7 @@ fn fine_angles_that_fit_border(yours: &RgbImage) -> impl Iterator<Item = f64> {
             }
         }
     }
-    let (min_tan, max_tan) = find_common_bounds(&intervals);
+    let (min_tan, max_tan) = find_almost_common_bounds(&intervals);
     let [min, max] = [min_tan, max_tan].map(|tan| 2.0 * tan.atan().to_degrees());
     let is_narrow = max - min < MAX_DEGREES_FOR_FOUR_DECIMALS;
     let scales = if is_narrow { &[1e2, 1e3, 1e4][..] } else { &[1e2, 1e3] };
@@ -198,7 +198,7 @@ fn fine_angles_that_fit_border(yours: &RgbImage) -> impl Iterator<Item = f64> {
 /// Returns the smallest and the largest of the numbers that lie in many intervals: in the maximum
 /// number of intervals, or in almost as many. We accept almost as many, because some intervals may
 /// be wrong: a highlight may pass for sky. If there are no intervals, returns 0 and infinity.
-fn find_common_bounds(intervals: &[(f64, f64)]) -> (f64, f64) {
+fn find_almost_common_bounds(intervals: &[(f64, f64)]) -> (f64, f64) {
     if intervals.is_empty() {
         return (0.0, f64::INFINITY);
     }
@@ -260,14 +260,14 @@ mod tests {
     use super::*;
 
     #[test]
-    fn common_bounds_lie_in_almost_all_intervals() {
-        assert_eq!(find_common_bounds(&[]), (0.0, f64::INFINITY));
-        assert_eq!(find_common_bounds(&[(1.0, 3.0), (2.0, 4.0)]), (2.0, 3.0));
-        assert_eq!(find_common_bounds(&[(1.0, 2.0), (2.0, 4.0)]), (2.0, 2.0));
+    fn almost_common_bounds_lie_in_almost_all_intervals() {
+        assert_eq!(find_almost_common_bounds(&[]), (0.0, f64::INFINITY));
+        assert_eq!(find_almost_common_bounds(&[(1.0, 3.0), (2.0, 4.0)]), (2.0, 3.0));
+        assert_eq!(find_almost_common_bounds(&[(1.0, 2.0), (2.0, 4.0)]), (2.0, 2.0));
         // One interval in twenty-one may lie outside of the bounds.
         let mut intervals = vec![(1.0, 2.0); 20];
         intervals.push((5.0, 6.0));
-        assert_eq!(find_common_bounds(&intervals), (1.0, 2.0));
+        assert_eq!(find_almost_common_bounds(&intervals), (1.0, 2.0));
     }
 
     #[test]

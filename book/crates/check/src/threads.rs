@@ -23,7 +23,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn result_is_returned() {
+    fn run_on_threads_returns_the_result() {
         assert_eq!(run_on_threads(|| 6 * 7), 42);
     }
 }

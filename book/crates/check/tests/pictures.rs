@@ -115,7 +115,7 @@ fn answers_about_wrong_scenes_and_cameras_are_as_locked() {
 }
 
 #[test]
-fn answers_about_pixels_are_as_locked() {
+fn answers_about_exchanged_rows_and_few_wrong_pixels_are_as_locked() {
     let rays = locked_picture(RAYS);
     let spots = |i: u32, j: u32, ours| if j == 9 && i.is_multiple_of(90) { [9; 3] } else { ours };
     assert_rows_locked(

@@ -359,7 +359,7 @@ mod tests {
     }
 
     #[test]
-    fn html_is_escaped() {
+    fn list_items_are_escaped_for_html() {
         assert_eq!(html_list(&["<b>".to_owned()]), "<ol>\n<li>&lt;b&gt;</li>\n</ol>\n");
     }
 
