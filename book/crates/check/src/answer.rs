@@ -138,7 +138,7 @@ pub struct Answer {
     /// Both pictures, for drawing the difference. None if they are equal, if their sizes differ, or
     /// if other options explain the difference.
     pub compared_pictures: Option<ComparedPictures>,
-    /// The line about the causes, unless that is the headline.
+    /// The line about the causes. None if there are no causes, or if this line is the headline.
     pub(crate) causes_line: Option<String>,
     pub(crate) option_doubts: OptionDoubts,
 }
@@ -173,8 +173,8 @@ impl Answer {
         lines
     }
 
-    /// The line of the text that names a section of the book, and the address of that section on the
-    /// book's pages. None if there is no such line.
+    /// Returns the line that names a section of the book, and the address of this section on the
+    /// book's pages. Returns None if no line names a section.
     pub fn section_link(&self) -> Option<(String, String)> {
         let Cause::Mistake(mistake) = self.causes.first()? else { return None };
         Some((section_sentence(mistake)?, mistake.section_address("html")?))

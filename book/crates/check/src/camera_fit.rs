@@ -1,4 +1,4 @@
-//! Finds cameras other than ours that reproduce the reader's picture.
+//! Finds cameras that differ from ours and reproduce the reader's picture.
 //!
 //! We first try cameras with wrong formulas that somebody may have written. If none of these
 //! cameras fits, we change a single number in D_u, D_v or V_0. The sky tells us which values this
@@ -42,6 +42,7 @@ pub(crate) fn describe_fitting_cameras(
             Some(number.describe(&value.to_string()))
         }));
     }
+    // In step 1, the colours of the directions may be wrong instead of the camera.
     if scene.step == Step::Rays && !descriptions.is_empty() {
         descriptions.push("other colours of the directions".into());
     }

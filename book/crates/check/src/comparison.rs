@@ -1,5 +1,5 @@
-//! Compares a picture with ours pixel by pixel. The search for an explanation also has a budget,
-//! which limits how many rays it computes and how many pixels it compares.
+//! Compares a picture with ours pixel by pixel. Also contains the budget of the search for an
+//! explanation, which limits how many rays are computed and how many pixels are compared.
 
 use crate::step_scene::ObjectHit;
 use crate::target::Target;

@@ -43,7 +43,7 @@ pub(crate) struct Explanation {
     pub details: Vec<String>,
     /// All changes we know of that reproduce this picture exactly.
     pub causes: Vec<Cause>,
-    /// The line about the causes, unless that is the headline.
+    /// The line about the causes. None if there are no causes, or if this line is the headline.
     pub causes_line: Option<String>,
     pub option_doubts: OptionDoubts,
 }
@@ -98,7 +98,8 @@ pub(crate) fn explain(yours: &ReaderPicture, target: &Target) -> Explanation {
     });
     let described_causes = describe_causes(&causes, options.as_ref());
     let causes_line = whole_picture.as_ref().and(described_causes.first().cloned());
-    // What anybody would see comes first, then the causes, then facts.
+    // How the whole picture differs comes first, because anybody can see it. The causes come next,
+    // and the facts after them.
     let mut lines = whole_picture
         .into_iter()
         .chain(described_causes)
@@ -194,8 +195,8 @@ fn describe_mistake(mistake: &Mistake) -> Vec<String> {
     lines
 }
 
-/// The sentence that names the section of the book to read again. None if the book doesn't show the
-/// mistake.
+/// Returns the sentence that says which section of the book to read again, or None if the book
+/// doesn't show the mistake.
 pub(crate) fn section_sentence(mistake: &Mistake) -> Option<String> {
     let heading = mistake.shown.as_ref()?.section;
     Some(format!("See step {}, \"{heading}\".", mistake.step.number()))

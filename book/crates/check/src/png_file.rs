@@ -1,4 +1,4 @@
-//! Reads the picture in a PNG file, or recognises what else the file is.
+//! Reads the picture in a PNG file, or recognises which other format the file has.
 
 use image::RgbImage;
 use png::{BitDepth, ColorType, Decoder, DecodingError, Info, Limits, Transformations};

@@ -57,7 +57,7 @@ fn composed_folder_name(student: &StudentFolder) -> Option<String> {
     student.name.to_str().map(compose_characters)
 }
 
-/// Names that several folders have, each in a different Unicode form.
+/// Names that several folders have, in different Unicode forms.
 pub(crate) struct DuplicateNames(HashSet<String>);
 
 impl DuplicateNames {

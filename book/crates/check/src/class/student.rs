@@ -108,7 +108,7 @@ impl PictureReport {
     }
 }
 
-/// Checks all files in a student's folder that are named after a picture.
+/// Checks those files in a student's folder that are named after a picture of the course.
 pub(crate) fn check_student(
     name: String,
     contents: FolderContents,
