@@ -69,7 +69,7 @@ pub fn parse_address(figure: &Figure, address: &str) -> Result<ParameterValues, 
 
 /// Replaces each number in a request with the nearest value that its parameter allows. A number
 /// that isn't finite is an error. A parameter that the request doesn't mention has its default.
-pub fn allowed_values(
+pub fn clamp_requested_values(
     figure: &Figure,
     numbers: &[(String, f64)],
 ) -> Result<ParameterValues, AddressError> {
@@ -116,10 +116,10 @@ mod tests {
             parse_address(figure, "red-sphere-radius:7").expect_err("the radius is too large");
         assert!(matches!(error, AddressError::NotAllowed { range: [0.05, 3.0], .. }), "{error}");
         let request = |radius| [("red-sphere-radius".to_owned(), radius)];
-        let values = allowed_values(figure, &request(7.0)).expect("the radius is clamped");
+        let values = clamp_requested_values(figure, &request(7.0)).expect("the radius is clamped");
         assert_eq!(format_address(figure, &values), "red-sphere-radius:3");
         for radius in [f64::NAN, f64::INFINITY] {
-            assert!(allowed_values(figure, &request(radius)).is_err(), "{radius}");
+            assert!(clamp_requested_values(figure, &request(radius)).is_err(), "{radius}");
         }
         for text in ["red-sphere-radius:NaN", "red-sphere-radius:inf", "red-sphere-radius"] {
             assert!(parse_address(figure, text).is_err(), "{text}");
@@ -132,6 +132,6 @@ mod tests {
         let expected = AddressError::UnknownParameter("moon".to_owned());
         assert_eq!(parse_address(figure, "moon:1").as_ref(), Err(&expected));
         let request = [("moon".to_owned(), 1.0)];
-        assert_eq!(allowed_values(figure, &request), Err(expected));
+        assert_eq!(clamp_requested_values(figure, &request), Err(expected));
     }
 }

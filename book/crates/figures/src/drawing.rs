@@ -95,7 +95,7 @@ impl Drawing {
     }
 
     /// Draws a disc in the colour of a pixel.
-    pub fn pixel_disc(&mut self, centre: DVec2, radius: f64, [red, green, blue]: [u8; 3]) {
+    pub fn coloured_disc(&mut self, centre: DVec2, radius: f64, [red, green, blue]: [u8; 3]) {
         let DVec2 { x, y } = centre;
         self.shapes += &format!(
             r#"<circle class="pixel" cx="{x:.2}" cy="{y:.2}" r="{radius:.1}" style="fill:rgb({red} {green} {blue})"></circle>"#

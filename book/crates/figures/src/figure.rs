@@ -83,7 +83,7 @@ impl Content {
     /// printed both. This function and [`Figure::new`] are inlined, so that the compiler leaves
     /// both strings out of the modules.
     #[inline(always)]
-    fn without_title_and_caption_in_modules(self) -> Self {
+    fn without_title_and_caption_if_wasm(self) -> Self {
         match self {
             Self::Drawing { draw, .. } if cfg!(target_family = "wasm") => {
                 Self::Drawing { title: "", caption: "", draw }
@@ -99,7 +99,7 @@ impl Figure {
     pub(crate) fn new(name: &'static str, content: Content) -> Self {
         Self {
             name,
-            content: content.without_title_and_caption_in_modules(),
+            content: content.without_title_and_caption_if_wasm(),
             values_from: None,
             parameters: vec![],
             handles: vec![],
@@ -141,7 +141,7 @@ impl Figure {
 
     /// Returns the values after a handle is dragged to a position. Returns None if the handle can't
     /// be dragged, or if the figure has nothing to show at the new values.
-    pub fn drag_handle(
+    pub fn values_after_drag(
         &self,
         values: &ParameterValues,
         handle: &Handle,

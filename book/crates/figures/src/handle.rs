@@ -131,7 +131,7 @@ impl Handle {
     /// z. The handle can't be dragged closer to the border than `margin`. If the ray through the
     /// new position has no point with this z, the handle stays where it is. If `camera_and_point`
     /// returns None, there is nothing to drag.
-    pub fn of_world_point_in_picture(
+    pub fn of_world_xy_in_picture(
         label: &'static str,
         coordinates: [ParameterId; 2],
         margin: f64,

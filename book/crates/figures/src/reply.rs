@@ -1,6 +1,6 @@
 //! Replies to a page's requests about a figure.
 
-use crate::address::{allowed_values, format_address, parse_address};
+use crate::address::{clamp_requested_values, format_address, parse_address};
 use crate::{
     Content, Figure, FigureRequest, FigureRequestError, Mark, Parameter, ParameterValues,
     find_figure,
@@ -47,25 +47,28 @@ pub fn reply(figure_name: &str, request: &FigureRequest) -> Result<Reply, Figure
         FigureRequest::About => about_figure(figure),
         FigureRequest::Show { values, columns } => {
             let columns = allowed_columns(*columns)?;
-            reply_at(figure, &allowed_values(figure, values)?, Some(columns))
+            reply_for_values(figure, &clamp_requested_values(figure, values)?, Some(columns))
         }
-        FigureRequest::Read { values } => reply_at(figure, &allowed_values(figure, values)?, None),
+        FigureRequest::Read { values } => {
+            reply_for_values(figure, &clamp_requested_values(figure, values)?, None)
+        }
         FigureRequest::Drag { values, handle, position, columns } => {
             let unknown = || FigureRequestError::UnknownHandle(*handle);
             let handle = figure.handles.get(*handle as usize).ok_or_else(unknown)?;
             let columns = allowed_columns(*columns)?;
-            let values = allowed_values(figure, values)?;
-            let new = figure.drag_handle(&values, handle, DVec2::from(*position)).unwrap_or(values);
-            reply_at(figure, &new, (handle.mark != Mark::Probe).then_some(columns))
+            let values = clamp_requested_values(figure, values)?;
+            let new =
+                figure.values_after_drag(&values, handle, DVec2::from(*position)).unwrap_or(values);
+            reply_for_values(figure, &new, (handle.mark != Mark::Probe).then_some(columns))
         }
         FigureRequest::Pick { values, position } => {
             let scene = figure.editable_scene.as_ref().ok_or(FigureRequestError::NoObjects)?;
-            let values = allowed_values(figure, values)?;
+            let values = clamp_requested_values(figure, values)?;
             let object = (scene.object_at)(&values, DVec2::from(*position));
             Reply::from_json_fields([("object", quote_or_null(object))])
         }
         FigureRequest::Open { address } => {
-            reply_at(figure, &parse_address(figure, address)?, Some(COLUMNS))
+            reply_for_values(figure, &parse_address(figure, address)?, Some(COLUMNS))
         }
     };
     Ok(reply)
@@ -123,7 +126,7 @@ fn about_parameter(parameter: &Parameter) -> String {
 
 /// Replies with everything that the page shows at these values. A picture has at most `columns`
 /// columns. If `columns` is None, nothing is drawn.
-fn reply_at(figure: &Figure, values: &ParameterValues, columns: Option<u32>) -> Reply {
+fn reply_for_values(figure: &Figure, values: &ParameterValues, columns: Option<u32>) -> Reply {
     let by_id = |field: &dyn Fn(&Parameter, f64) -> String| {
         let fields: Vec<_> = figure
             .parameters
@@ -189,22 +192,22 @@ mod tests {
     use super::*;
 
     /// Parses values for a request. They are written as in an address.
-    fn values(text: &str) -> Vec<(String, f64)> {
+    fn parse_values(text: &str) -> Vec<(String, f64)> {
         let parts = text.split(',').filter_map(|part| part.split_once(':'));
         parts.map(|(id, value)| (id.to_owned(), value.parse().expect(text))).collect()
     }
 
     fn show(text: &str, columns: Option<u32>) -> FigureRequest {
-        FigureRequest::Show { values: values(text), columns }
+        FigureRequest::Show { values: parse_values(text), columns }
     }
 
     fn drag(text: &str, handle: u32, position: [f64; 2]) -> FigureRequest {
-        FigureRequest::Drag { values: values(text), handle, position, columns: None }
+        FigureRequest::Drag { values: parse_values(text), handle, position, columns: None }
     }
 
     #[test]
     fn request_that_cannot_be_fulfilled_has_an_error() {
-        let pick = FigureRequest::Pick { values: values("rays:7"), position: [0.0; 2] };
+        let pick = FigureRequest::Pick { values: parse_values("rays:7"), position: [0.0; 2] };
         for (name, request, message) in [
             ("nothing", show("", None), "There is no figure “nothing”."),
             ("step02_sphere", show("i:1", Some(1)), "A picture can't have 1 columns."),

@@ -39,8 +39,9 @@ impl Shading {
         // A ray through the outline itself might miss the ball.
         let opposite = -0.999 * brightest.normalize_or(DVec2::X);
         let scene = teal_ball(to_light);
-        let colours = (0..=STEPS)
-            .map(|k| colour_at(&scene, brightest.lerp(opposite, f64::from(k) / f64::from(STEPS))));
+        let colours = (0..=STEPS).map(|k| {
+            ball_colour_at(&scene, brightest.lerp(opposite, f64::from(k) / f64::from(STEPS)))
+        });
         Self { id, brightest, colours: colours.collect() }
     }
 
@@ -72,7 +73,7 @@ fn teal_ball(to_light: DVec3) -> Scene<Matte, PointLight> {
 
 /// The colour of the ball at a point on the page. The point's components lead to the right and
 /// upwards from the ball's centre.
-fn colour_at(scene: &Scene<Matte, PointLight>, point: DVec2) -> [u8; 3] {
+fn ball_colour_at(scene: &Scene<Matte, PointLight>, point: DVec2) -> [u8; 3] {
     rgb8(colour(scene, &Ray { start: point.extend(2.0), direction: DVec3::NEG_Z })).0
 }
 
@@ -81,7 +82,7 @@ mod tests {
     use super::*;
 
     /// The colour of the gradient at a point on the page.
-    fn gradient_at(shading: &Shading, point: DVec2) -> [u8; 3] {
+    fn gradient_colour_at(shading: &Shading, point: DVec2) -> [u8; 3] {
         let offset = point.distance(shading.brightest) / (1.0 + shading.brightest.length());
         let (k, fraction) = ((offset * f64::from(STEPS)) as usize, offset * f64::from(STEPS) % 1.0);
         let [from, to] = [k, (k + 1).min(STEPS as usize)].map(|k| shading.colours[k]);
@@ -99,7 +100,8 @@ mod tests {
             let points = (-9..10).flat_map(|i| (-9..10).map(move |j| (f64::from(i), f64::from(j))));
             let points = points.map(|(i, j)| DVec2::new(i, j) / 10.0);
             for point in points.filter(|point| point.length() < 1.0) {
-                let [drawn, expected] = [gradient_at(&shading, point), colour_at(&scene, point)];
+                let [drawn, expected] =
+                    [gradient_colour_at(&shading, point), ball_colour_at(&scene, point)];
                 let is_near = |channel: usize| drawn[channel].abs_diff(expected[channel]) <= 16;
                 assert!((0..3).all(is_near), "{drawn:?} at {point}, not {expected:?}");
             }

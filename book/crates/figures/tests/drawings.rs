@@ -196,10 +196,10 @@ fn ids_in_a_drawing_begin_with_the_name_of_its_figure() {
 
 /// Lists the handles. Each has its position at these values, and the values of its parameters after
 /// it is dragged.
-fn describe_handles(figure: &Figure, values: &ParameterValues) -> String {
+fn describe_handles_before_and_after_drag(figure: &Figure, values: &ParameterValues) -> String {
     let lines = figure.handles.iter().map(|handle| {
         let position = (handle.locate)(values).map(DVec2::round);
-        let dragged = figure.drag_handle(values, handle, dvec2(300.0, 120.0));
+        let dragged = figure.values_after_drag(values, handle, dvec2(300.0, 120.0));
         let dragged = dragged.map(|new| [new[handle.horizontal], new[handle.vertical]]);
         format!("{}: {position:?}, dragged: {dragged:?}\n", handle.label)
     });
@@ -210,7 +210,7 @@ fn describe_handles(figure: &Figure, values: &ParameterValues) -> String {
 fn dragged_handles_are_as_locked() {
     let parts = FIGURES.iter().flat_map(|figure| {
         let all = default_and_spread_values(figure).into_iter();
-        all.map(|values| describe_handles(figure, &values))
+        all.map(|values| describe_handles_before_and_after_drag(figure, &values))
     });
     let own_scene = find_figure("own_scene").expect("the figure exists");
     let cameras = [
@@ -221,7 +221,7 @@ fn dragged_handles_are_as_locked() {
         "camera-position-sideways:6,camera-position-backwards:-7.4,camera-target-backwards:-7.4",
     ];
     let cameras = cameras.map(|address| {
-        describe_handles(
+        describe_handles_before_and_after_drag(
             own_scene,
             &parse_address(own_scene, address).expect("the address is valid"),
         )

@@ -2,8 +2,8 @@
 //! of the mistakes, and the WebAssembly modules for the book's pages.
 
 mod error;
-mod mistake_program;
 mod mistakes;
+mod mistakes_program;
 mod modules;
 mod source_hash;
 #[cfg(test)]

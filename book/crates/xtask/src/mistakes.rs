@@ -2,7 +2,7 @@
 //! has changed.
 
 use crate::error::{XtaskError, XtaskResult};
-use crate::mistake_program::{self, DrawnPictures, title_and_file, unindented_text_with_mistake};
+use crate::mistakes_program::{self, DrawnPictures, title_and_file, unindented_text_with_mistake};
 use crate::source_hash::{code_lines, hash_texts};
 use course::{
     Mistake, MistakePicture, MistakeTable, PICTURES, RightPicture, SMALL_SIZE, Step, TableRow,
@@ -39,7 +39,7 @@ pub fn draw_new_mistakes() -> XtaskResult<()> {
     for batch in new.chunks(BATCH_SIZE) {
         let mistakes: Vec<_> = batch.iter().map(|(_, mistake)| *mistake).collect();
         for ((key, mistake), pictures) in
-            batch.iter().zip(mistake_program::draw_mistakes(&mistakes)?)
+            batch.iter().zip(mistakes_program::draw_mistakes(&mistakes)?)
         {
             drawn_mistakes.record(*key, mistake, &pictures);
         }
@@ -114,7 +114,7 @@ impl DrawnMistakes {
 
     /// The small pictures of a step, each with its name. Their order is that of the list of
     /// mistakes.
-    fn step_pictures(&self, step: Step) -> Vec<(&'static str, &RgbImage)> {
+    fn small_pictures_of_step(&self, step: Step) -> Vec<(&'static str, &RgbImage)> {
         let shown = self.all.iter().flat_map(|(_, mistake)| mistake.pictures());
         shown
             .filter(|picture| picture.step == step)
@@ -125,7 +125,7 @@ impl DrawnMistakes {
     /// Formats the table.
     pub fn table_text(&self) -> String {
         let right_pictures = self.right.iter().map(|(name, hash)| {
-            let pictures = Step::from_name(name).map(|step| self.step_pictures(step));
+            let pictures = Step::from_name(name).map(|step| self.small_pictures_of_step(step));
             let names = pictures.into_iter().flatten().map(|(name, _)| name);
             RightPicture { name, hash: *hash, small_pictures: names.collect() }
         });
@@ -139,7 +139,7 @@ impl DrawnMistakes {
     /// Writes the small pictures, then the table.
     fn write(&self) -> XtaskResult<()> {
         for step in Step::ALL {
-            let pictures = self.step_pictures(step);
+            let pictures = self.small_pictures_of_step(step);
             let [columns, rows] = SMALL_SIZE;
             let mut column = RgbImage::new(columns, rows * pictures.len() as u32);
             for ((_, picture), k) in pictures.into_iter().zip(0..) {
@@ -158,17 +158,17 @@ impl DrawnMistakes {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mistake_program::title_and_file;
+    use crate::mistakes_program::title_and_file;
 
-    fn new_titles(drawn_mistakes: &DrawnMistakes) -> Vec<String> {
+    fn titles_to_draw(drawn_mistakes: &DrawnMistakes) -> Vec<String> {
         drawn_mistakes.mistakes_to_draw().map(|(_, mistake)| title_and_file(mistake)).collect()
     }
 
     #[test]
-    fn mistake_without_its_row_or_one_small_picture_is_new() {
+    fn mistake_that_lacks_its_row_or_a_small_picture_is_to_be_drawn() {
         let read = || DrawnMistakes::read().expect("the list and the table can be read");
         let (mut without_row, mut without_picture) = (read(), read());
-        let known = new_titles(&without_row);
+        let known = titles_to_draw(&without_row);
         let is_shown = |(_, mistake): &&(u32, &Mistake)| {
             mistake.shown.is_some() && !known.contains(&title_and_file(mistake))
         };
@@ -178,7 +178,7 @@ mod tests {
         without_row.rows.remove(&key);
         without_picture.small_pictures.remove(mistake.pictures()[0].name);
         for drawn_mistakes in [without_row, without_picture] {
-            let mut titles = new_titles(&drawn_mistakes);
+            let mut titles = titles_to_draw(&drawn_mistakes);
             titles.retain(|title| !known.contains(title));
             assert_eq!(titles, expected);
         }

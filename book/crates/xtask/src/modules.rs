@@ -4,7 +4,7 @@
 //! sources, and the version of the compiler.
 
 use crate::error::{XtaskError, XtaskResult};
-use crate::source_hash::source_hash;
+use crate::source_hash::hash_module_sources;
 use course::{WASM_MODULES, cargo_command, target_folder, workspace};
 use std::path::PathBuf;
 use std::process::Command;
@@ -15,7 +15,7 @@ const TARGET: &str = "wasm32-unknown-unknown";
 /// Whether the sources have changed since the modules were compiled.
 pub fn are_stale() -> XtaskResult<bool> {
     let text = fs::read_to_string(page_package_folder().join("modules.txt")).unwrap_or_default();
-    Ok(text.split(' ').next() != Some(&*source_hash()?))
+    Ok(text.split(' ').next() != Some(&*hash_module_sources()?))
 }
 
 /// Compiles the modules if they are stale.
@@ -23,10 +23,10 @@ pub fn compile_if_stale() -> XtaskResult<()> {
     if !are_stale()? {
         return Ok(());
     }
-    let hash = source_hash()?;
+    let hash = hash_module_sources()?;
     for name in WASM_MODULES {
         let module = compile_module(name)?;
-        if let Some(folder) = find_local_path(&module) {
+        if let Some(folder) = find_local_folder(&module) {
             return Err(XtaskError::PathInModule { module: name, folder });
         }
         println!("{name}.wasm: {} bytes", module.len());
@@ -69,7 +69,7 @@ fn compile_module(name: &'static str) -> XtaskResult<Vec<u8>> {
 /// Checks whether a module contains the path of the workspace, of the target folder or of Cargo's
 /// home, and returns that path. A module with such a path would differ from machine to machine.
 /// Paths of the standard library's sources are allowed, because they come with the compiler.
-fn find_local_path(module: &[u8]) -> Option<PathBuf> {
+fn find_local_folder(module: &[u8]) -> Option<PathBuf> {
     let folders = [workspace(), target_folder(), cargo_home()];
     folders.into_iter().find(|folder| {
         let path = folder.as_os_str().as_encoded_bytes();
@@ -99,9 +99,9 @@ mod tests {
 
     #[test]
     fn local_folder_is_found_in_a_module() {
-        assert_eq!(find_local_path(b"\0asm /rust/deps/dlmalloc-0.2.11/src/lib.rs"), None);
+        assert_eq!(find_local_folder(b"\0asm /rust/deps/dlmalloc-0.2.11/src/lib.rs"), None);
         let path = workspace().join("steps/step01_rays/src/lib.rs");
         let module = [b"\0asm ", path.as_os_str().as_encoded_bytes(), b" expect"].concat();
-        assert_eq!(find_local_path(&module), Some(workspace()));
+        assert_eq!(find_local_folder(&module), Some(workspace()));
     }
 }

@@ -23,7 +23,7 @@ const SHOWN_ON_PAGES: [&str; 3] =
     ["examples/own_scene.rs", "examples/look_at.rs", "figures/src/own_scene/program.rs"];
 
 /// Hashes all sources of the modules, including manifests.
-pub fn source_hash() -> XtaskResult<String> {
+pub fn hash_module_sources() -> XtaskResult<String> {
     let mut files = ["Cargo.toml", "Cargo.lock"].map(|file| workspace().join(file)).to_vec();
     for folder in FOLDERS {
         push_source_files(&workspace().join(folder), &mut files)?;

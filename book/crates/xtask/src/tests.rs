@@ -1,7 +1,7 @@
 //! Tests that the checked-in files are up to date with the code that they are made from.
 
-use crate::mistake_program::title_and_file;
 use crate::mistakes::{DrawnMistakes, redraw_key};
+use crate::mistakes_program::title_and_file;
 use crate::modules;
 use course::environment::is_ci;
 use course::{MistakePicture, Step, WASM_MODULES, mistake_texts, mistakes};
@@ -10,7 +10,7 @@ use std::fs;
 use std::io::{Write, stderr};
 
 #[test]
-fn modules_are_up_to_date_with_their_sources() {
+fn wasm_modules_are_up_to_date_with_their_sources() {
     let note =
         "The pages' modules are older than their source code. Run `cargo xtask` to compile them.";
     let is_stale = modules::are_stale().expect("the sources can be read");
@@ -22,7 +22,7 @@ fn modules_are_up_to_date_with_their_sources() {
 }
 
 #[test]
-fn modules_export_the_functions_that_pages_call() {
+fn wasm_modules_export_the_functions_that_pages_call() {
     let script = include_str!("../../../theme/wasm.js");
     let calls = script.split("module.").skip(1).filter_map(|rest| rest.split_once('('));
     let names: HashSet<_> = calls.map(|(name, _)| name).filter(|name| name.contains('_')).collect();
@@ -72,7 +72,7 @@ fn mistake_is_redrawn_if_the_name_or_step_of_its_picture_changes() {
 }
 
 #[test]
-fn each_mistake_is_a_change_and_listed_once() {
+fn each_mistake_changes_code_has_all_texts_and_is_listed_once() {
     let mut changes = HashSet::new();
     for mistake in mistakes() {
         let title = title_and_file(mistake);

@@ -95,7 +95,7 @@ impl CameraFigure {
         let position = |i: f64, j: f64| self.project(camera.ray(i, j).at(1.0));
         let radius = (0.36 * position(0.0, 0.0).distance(position(1.0, 0.0))).min(5.0);
         for (i, j, pixel) in render(camera, 1, direction_colour).enumerate_pixels() {
-            drawing.pixel_disc(position(f64::from(i), f64::from(j)), radius, pixel.0);
+            drawing.coloured_disc(position(f64::from(i), f64::from(j)), radius, pixel.0);
         }
     }
 

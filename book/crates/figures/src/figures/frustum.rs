@@ -53,31 +53,31 @@ fn top_and_bottom_rays() -> [Ray; 2] {
     [0.0, 1.0].map(|j| camera.ray(0.5, j))
 }
 
-/// How much of a ball is left between the two planes.
+/// What OpenGL does with a ball: it draws only what is between the near and the far plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum VisiblePart {
-    None,
-    Part,
-    All,
+enum Clipping {
+    CutAway,
+    CutInTwo,
+    Drawn,
 }
 
-impl VisiblePart {
+impl Clipping {
     fn new(sphere: &Sphere, [near, far]: [f64; 2]) -> Self {
         let (depth, radius) = (-sphere.centre.z, sphere.radius);
         if depth + radius <= near || depth - radius >= far {
-            Self::None
+            Self::CutAway
         } else if depth - radius >= near && depth + radius <= far {
-            Self::All
+            Self::Drawn
         } else {
-            Self::Part
+            Self::CutInTwo
         }
     }
 
     fn label(self) -> &'static str {
         match self {
-            Self::None => "cut away",
-            Self::Part => "cut in two",
-            Self::All => "drawn",
+            Self::CutAway => "cut away",
+            Self::CutInTwo => "cut in two",
+            Self::Drawn => "drawn",
         }
     }
 }
@@ -98,16 +98,16 @@ fn draw(values: &ParameterValues) -> Drawing {
     }
     let shading = Shading::new("frustum-ball", TO_LIGHT);
     for sphere in BALLS {
-        let rest = VisiblePart::new(&sphere, planes);
+        let clipping = Clipping::new(&sphere, planes);
         let (centre, radius) = (side_view_position(sphere.centre), VIEW.scale.x * sphere.radius);
-        if rest == VisiblePart::None {
+        if clipping == Clipping::CutAway {
             drawing.circle("behind", centre, radius);
         } else {
             drawing.ball(&shading, centre, DVec2::splat(radius));
         }
         // The label is away from the other rays: above a high ball, and below a low one.
         let below = if sphere.centre.y > 0.0 { -radius - 10.0 } else { radius + 40.0 };
-        drawing.label("quiet over", centre + dvec2(0.0, below), rest.label());
+        drawing.label("quiet over", centre + dvec2(0.0, below), clipping.label());
         let ray = Ray { start: DVec3::ZERO, direction: sphere.centre };
         if let Some(t) = sphere.intersect(&ray).first_hit() {
             drawing.line("ray", side_view_position(ray.start), side_view_position(ray.at(t)));
@@ -124,16 +124,16 @@ mod tests {
     use super::*;
 
     #[test]
-    fn planes_leave_all_a_part_or_nothing_of_a_ball() {
+    fn planes_cut_a_ball_away_or_in_two_or_not_at_all() {
         let ball = Sphere { centre: DVec3::new(0.0, 0.0, -3.0), radius: 1.0 };
-        for (planes, rest) in [
-            ([1.0, 2.0], VisiblePart::None),
-            ([1.0, 3.0], VisiblePart::Part),
-            ([2.0, 4.0], VisiblePart::All),
-            ([2.5, 5.0], VisiblePart::Part),
-            ([4.0, 5.0], VisiblePart::None),
+        for (planes, clipping) in [
+            ([1.0, 2.0], Clipping::CutAway),
+            ([1.0, 3.0], Clipping::CutInTwo),
+            ([2.0, 4.0], Clipping::Drawn),
+            ([2.5, 5.0], Clipping::CutInTwo),
+            ([4.0, 5.0], Clipping::CutAway),
         ] {
-            assert_eq!(VisiblePart::new(&ball, planes), rest, "{planes:?}");
+            assert_eq!(Clipping::new(&ball, planes), clipping, "{planes:?}");
         }
     }
 }

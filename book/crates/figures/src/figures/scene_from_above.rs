@@ -35,7 +35,7 @@ pub fn figure() -> Figure {
 /// Returns the outline, in the drawing, of the disc that a plane cuts out of a sphere. The plane
 /// contains `ray` and all other rays of the same row of pixels. Returns None if the plane misses
 /// the sphere.
-fn cut_outline(sphere: &Sphere, ray: &Ray) -> Option<Vec<DVec2>> {
+fn outline_in_plane_of_row(sphere: &Sphere, ray: &Ray) -> Option<Vec<DVec2>> {
     let ahead = ray.direction.with_x(0.0);
     let along = ahead.normalize();
     let normal = DVec3::X.cross(along);
@@ -63,7 +63,7 @@ fn draw(values: &ParameterValues) -> Drawing {
     let mut objects = OBJECTS;
     objects.sort_by(|a, b| b.sphere.radius.total_cmp(&a.sphere.radius));
     for Object { name, sphere, .. } in &objects {
-        let Some(outline) = cut_outline(sphere, &ray) else { continue };
+        let Some(outline) = outline_in_plane_of_row(sphere, &ray) else { continue };
         let is_hit = nearest_hit.is_some_and(|hit| hit.object.sphere == *sphere);
         drawing.area(if is_hit { "object seen" } else { "object" }, outline.iter().copied());
         let middle = outline.iter().sum::<DVec2>() / outline.len() as f64;

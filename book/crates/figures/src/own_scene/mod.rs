@@ -13,7 +13,7 @@ use step05_phong::nearest;
 /// The figure that shows the reader's scene.
 pub fn figure() -> Figure {
     let handles = PARAMETERS.iter().filter_map(|(target, presence)| match *target {
-        Target::Presence(owner, k) => handle(owner, k, presence.id),
+        Target::Presence(owner, k) => sphere_or_light_handle(owner, k, presence.id),
         Target::Mirrors | Target::Scalar(..) => None,
     });
     let draw = |values: &ParameterValues, columns| own_scene(values).picture(columns);
@@ -40,7 +40,7 @@ pub fn figure() -> Figure {
 
 /// The handle for the sphere or light with index `k`. The handle can be dragged only while the
 /// switch `presence` is on.
-fn handle(owner: Owner, k: usize, presence: ParameterId) -> Option<Handle> {
+fn sphere_or_light_handle(owner: Owner, k: usize, presence: ParameterId) -> Option<Handle> {
     let camera_and_point = move |values: &ParameterValues| {
         values.is_on(presence).then(|| {
             let own = complete_scene(values);
@@ -57,7 +57,7 @@ fn handle(owner: Owner, k: usize, presence: ParameterId) -> Option<Handle> {
         mark: if owner == Owner::Light { Mark::Light } else { Mark::Point },
         depth: Some(z),
         presence: Some(presence),
-        ..Handle::of_world_point_in_picture(object, [x, y], 0.0, camera_and_point)
+        ..Handle::of_world_xy_in_picture(object, [x, y], 0.0, camera_and_point)
     })
 }
 

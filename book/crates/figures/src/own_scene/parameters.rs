@@ -27,35 +27,35 @@ pub enum Target {
 pub static PARAMETERS: LazyLock<Vec<(Target, Parameter)>> = LazyLock::new(|| {
     let own = largest_scene();
     let mut parameters = vec![];
-    parameters.extend(number_parameters(&own, Owner::Camera, 0, "camera"));
-    parameters.extend(number_parameters(&own, Owner::Scene, 0, "ambient light"));
+    parameters.extend(parameters_of_owner(&own, Owner::Camera, 0, "camera"));
+    parameters.extend(parameters_of_owner(&own, Owner::Scene, 0, "ambient light"));
     parameters.push((Target::Mirrors, Parameter::switch(MIRRORS, "shadows and mirrors", false)));
     for (k, object) in own.scene.objects.iter().enumerate() {
         let id = ParameterId::of(object.name, "in the scene");
         let presence = Parameter::switch(id, "in the scene", k < OBJECTS.len());
         parameters.push((Target::Presence(Owner::Object, k), presence));
-        parameters.extend(number_parameters(&own, Owner::Object, k, object.name));
+        parameters.extend(parameters_of_owner(&own, Owner::Object, k, object.name));
     }
     let light_names = LIGHT_NAMES.iter().map(|light| light.name).chain(["third light"]);
     for (k, name) in light_names.enumerate() {
         let presence = Parameter::switch(ParameterId::of(name, "on"), "on", k < LIGHT_NAMES.len());
         parameters.push((Target::Presence(Owner::Light, k), presence));
-        parameters.extend(number_parameters(&own, Owner::Light, k, name));
+        parameters.extend(parameters_of_owner(&own, Owner::Light, k, name));
     }
     parameters
 });
 
 /// Returns a parameter for each number that belongs to an owner. If the owner is an object or a
 /// light, `k` is its index. `name` is the owner's name in the parameters' ids.
-fn number_parameters(
+fn parameters_of_owner(
     own: &OwnScene,
     owner: Owner,
     k: usize,
-    name: &'static str,
+    owner_name: &'static str,
 ) -> impl Iterator<Item = (Target, Parameter)> {
     let quantities = QUANTITIES.iter().filter(move |quantity| quantity.owner == owner);
     quantities.flat_map(|quantity| quantity.scalars).map(move |scalar| {
-        let id = ParameterId::of(name, scalar.label);
+        let id = ParameterId::of(owner_name, scalar.label);
         let (range, default) = (scalar.range(k), scalar.get(own, k));
         let parameter = Parameter::number(id, scalar.label, default, range, scalar.steps_per_unit)
             .with_symbol(scalar.symbol)

@@ -1,7 +1,7 @@
 //! The picture of the example `mirror`, and the path of a pixel's ray from mirror to mirror.
 
 use super::pixel_trace::describe_hit;
-use super::step05::probed_object_parameter;
+use super::step05::parameter_shown_if_probed;
 use crate::probe::{I, J, draw_picture, probe_ray, probed_picture};
 use crate::{
     Figure, Parameter, ParameterId, ParameterValues, Readouts, collect_readouts, format_number,
@@ -36,7 +36,7 @@ pub fn figure() -> Figure {
     let offset = Parameter::choice(OFFSET, "offset", 8.0, OFFSETS);
     let ks = mirrors().objects.into_iter().map(|object| {
         let default = object.material.k;
-        probed_object_parameter(k_id(object.name), object.name, default, [0.0, 1.0], 20.0)
+        parameter_shown_if_probed(k_id(object.name), object.name, default, [0.0, 1.0], 20.0)
             .with_symbol("k")
     });
     let parameters = [depth, offset].into_iter().chain(ks);
@@ -44,19 +44,20 @@ pub fn figure() -> Figure {
         readouts,
         row_count: 1 + MAX_DEPTH as usize,
         ..probed_picture("mirror", [168.0, 295.0], parameters, |values, columns| {
-            let mirrors = Mirrors::new(values);
-            draw_picture(columns, |ray| mirrors.colour(ray, mirrors.depth))
+            let picture = MirrorPicture::new(values);
+            draw_picture(columns, |ray| picture.colour(ray, picture.depth))
         })
     }
 }
 
-struct Mirrors {
+/// The picture with the depth, the offset and the ks that the reader has set.
+struct MirrorPicture {
     depth: u32,
     offset: f64,
     scene: Scene<Mirror, Light>,
 }
 
-impl Mirrors {
+impl MirrorPicture {
     fn new(values: &ParameterValues) -> Self {
         let mut scene = mirrors();
         for object in &mut scene.objects {
@@ -90,18 +91,18 @@ impl Mirrors {
 
 /// The path of the probe's ray, one row per hit. Unused rows have empty readouts.
 fn readouts(values: &ParameterValues) -> Readouts {
-    let mirrors = Mirrors::new(values);
+    let picture = MirrorPicture::new(values);
     let ray = probe_ray(values);
-    let bytes = rgb8(mirrors.colour(&ray, mirrors.depth)).0;
+    let bytes = rgb8(picture.colour(&ray, picture.depth)).0;
     let mut readouts = collect_readouts([
         ("i", format_number(values[I])),
         ("j", format_number(values[J])),
-        ("seen", describe_hit(&mirrors.scene.objects, &ray)),
+        ("seen", describe_hit(&picture.scene.objects, &ray)),
         ("bytes", format_vector(bytes.map(f64::from))),
     ]);
     let mut next_ray = Some(ray);
     for k in 0..=MAX_DEPTH {
-        let hit = next_ray.map(|ray| mirrors.trace_hit(&ray, mirrors.depth - k));
+        let hit = next_ray.map(|ray| picture.trace_hit(&ray, picture.depth - k));
         let (row, mirrored) = hit.unwrap_or_default();
         let names = ["object", "t", "k", "I"].map(|column| row_readout_name(column, k as usize));
         readouts.extend(names.into_iter().zip(row));

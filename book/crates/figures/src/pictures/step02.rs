@@ -20,7 +20,7 @@ pub fn figure() -> Figure {
             draw_picture(columns, |ray| colour(&sphere, ray))
         });
     let centre = |values: &ParameterValues| Some((course::camera(), sphere(values).centre));
-    figure.handles.push(Handle::of_world_point_in_picture(
+    figure.handles.push(Handle::of_world_xy_in_picture(
         CENTRE.0,
         [CENTRE.x(), CENTRE.y()],
         0.0,

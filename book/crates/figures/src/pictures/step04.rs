@@ -29,7 +29,7 @@ pub fn figure() -> Figure {
         let position =
             move |values: &ParameterValues| Some((course::camera(), values.point_in_space(light)));
         let handle =
-            Handle::of_world_point_in_picture(light.0, [light.x(), light.y()], 24.0, position);
+            Handle::of_world_xy_in_picture(light.0, [light.x(), light.y()], 24.0, position);
         Handle { mark: Mark::Light, ..handle }
     }));
     Figure { readouts, row_count: OBJECTS.len(), ..figure }

@@ -26,12 +26,12 @@ pub fn figure() -> Figure {
     let objects = step05_phong::scene().objects;
     let shininesses = objects.iter().map(|Object { name, material, .. }| {
         let default = f64::from(material.shininess);
-        probed_object_parameter(shininess_id(name), name, default, [1.0, 300.0], 1.0)
+        parameter_shown_if_probed(shininess_id(name), name, default, [1.0, 300.0], 1.0)
             .with_symbol("n")
     });
     let reflectances = objects.iter().map(|Object { name, material, .. }| {
         let default = material.specular.x;
-        probed_object_parameter(reflectance_id(name), name, default, [0.0, 1.0], 20.0)
+        parameter_shown_if_probed(reflectance_id(name), name, default, [0.0, 1.0], 20.0)
             .with_symbol("Rₛ")
     });
     let parameters = switches.into_iter().chain(shininesses).chain(reflectances);
@@ -69,7 +69,7 @@ fn readouts(values: &ParameterValues) -> Readouts {
 
 /// A parameter that belongs to an object. The page shows the parameter's control only while the
 /// probe is on the object.
-pub fn probed_object_parameter(
+pub fn parameter_shown_if_probed(
     id: ParameterId,
     object: &str,
     default: f64,

@@ -16,14 +16,14 @@ use std::path::{Path, PathBuf};
 pub type DrawnPictures = Vec<(Step, Option<RgbImage>)>;
 
 /// The start of the program's manifest, before the dependencies.
-const MANIFEST: &str = r#"
+const MANIFEST_START: &str = r#"
 workspace = {}
 package = { name = "mistakes", edition = "2024" }
 profile.dev = { debug = false, incremental = false, package.png.opt-level = 3 }
 "#;
 
 /// The start of the program's main file, before the modules and the list of pictures to draw.
-const MAIN: &str = "#![allow(warnings)]
+const MAIN_START: &str = "#![allow(warnings)]
 use rayon::prelude::*;
 
 fn main() {
@@ -91,7 +91,7 @@ fn picture_path_without_extension(k: usize, step: Step) -> String {
 /// the main file.
 fn write_package(mistakes: &[&Mistake]) -> XtaskResult<()> {
     let folder = generated_package_folder();
-    let manifest = MANIFEST.to_owned() + &dependencies_of_step_copies();
+    let manifest = MANIFEST_START.to_owned() + &dependencies_of_step_copies();
     let (mut modules, mut pictures) = (String::new(), String::new());
     for (k, mistake) in mistakes.iter().enumerate() {
         modules += &format!("/// {}\nmod m{k} {{\n", title_and_file(mistake));
@@ -104,7 +104,7 @@ fn write_package(mistakes: &[&Mistake]) -> XtaskResult<()> {
         }
         modules += "}\n";
     }
-    let main = format!("{MAIN}\n{modules}\nconst PICTURES: &[fn()] = &[\n{pictures}];\n");
+    let main = format!("{MAIN_START}\n{modules}\nconst PICTURES: &[fn()] = &[\n{pictures}];\n");
     write_text(&folder.join("src/main.rs"), &main)?;
     write_text(&folder.join("Cargo.toml"), &manifest)?;
     write_text(&folder.join("Cargo.lock"), &read_text(&workspace().join("Cargo.lock"))?)
