@@ -25,7 +25,7 @@ pub enum AddressError {
         /// The smallest and the largest allowed value.
         range: [f64; 2],
     },
-    /// Each value is allowed by itself, but together they leave nothing to show.
+    /// Each value is allowed by itself, but together they leave the figure with nothing to show.
     #[error("There is nothing to show at this address.")]
     NothingToShow,
 }

@@ -61,12 +61,12 @@ impl Drawing {
         self.area(&format!("{class} head"), [tip, back + side, back - side]);
     }
 
-    /// Draws a line through all `points`.
+    /// Draws a polyline through `points`.
     pub fn path(&mut self, class: &str, points: impl IntoIterator<Item = DVec2>) {
         self.shapes += &format!(r#"<path class="{class}" d="{}"></path>"#, path_commands(points));
     }
 
-    /// Draws the area whose corners are `points`.
+    /// Draws a filled polygon whose corners are `points`.
     pub fn area(&mut self, class: &str, points: impl IntoIterator<Item = DVec2>) {
         self.shapes +=
             &format!(r#"<path class="{class} area" d="{}Z"></path>"#, path_commands(points));
@@ -84,7 +84,7 @@ impl Drawing {
         self.circle(&format!("{class} dot"), centre, 4.5);
     }
 
-    /// Draws a solid ball, or the image of a ball, which may be an ellipse.
+    /// Draws a shaded ball, or a shaded ellipse for the projection of a ball.
     pub fn ball(&mut self, shading: &Shading, centre: DVec2, half_axes: DVec2) {
         self.gradients.entry(shading.id).or_insert_with(|| shading.svg());
         let (id, DVec2 { x, y }) = (shading.id, centre);
@@ -94,7 +94,7 @@ impl Drawing {
         );
     }
 
-    /// Draws a disc in the colour of a pixel.
+    /// Draws a disc in a given colour, such as that of a pixel.
     pub fn coloured_disc(&mut self, centre: DVec2, radius: f64, [red, green, blue]: [u8; 3]) {
         let DVec2 { x, y } = centre;
         self.shapes += &format!(
@@ -110,18 +110,18 @@ impl Drawing {
         self.path(class, (0..=24).map(|k| view.to_drawing(DVec2::from_angle(angle(k)))));
     }
 
-    /// Writes text that is centred at a position. With the class `start`, the text begins there,
-    /// and with the class `end`, it ends there. Symbols are between dollar signs: `$V_0$` is a V
-    /// with a subscript 0.
+    /// Writes text that is centred at `position`. With the class `start`, the text begins at
+    /// `position`, and with the class `end`, the text ends there. Symbols are between dollar signs:
+    /// `$V_0$` is a V with a subscript 0.
     ///
-    /// Text that would be cut off at the border, or overlap an earlier label, is moved to the
-    /// nearest free position.
+    /// Text that would be cut off at the border or overlap an earlier label is moved to a free
+    /// position nearby.
     pub fn label(&mut self, class: &str, position: DVec2, text: &str) {
         let position = self.nearest_free(class, position, text);
         self.labels.push(Label { class: class.into(), position, text: text.into() });
     }
 
-    /// Moves the labels that handles at these positions would cover to the nearest free positions.
+    /// Moves the labels that handles at these positions would cover to free positions nearby.
     pub fn keep_clear_of_handles(mut self, handles: Vec<DVec2>) -> Self {
         self.handles = handles;
         for Label { class, position, text } in mem::take(&mut self.labels) {
@@ -130,9 +130,9 @@ impl Drawing {
         self
     }
 
-    /// Finds the position nearest to `position` at which a label is inside the drawing, overlaps no
-    /// other label and isn't covered by a handle. If there is none nearby, the label is only moved
-    /// inside the drawing.
+    /// Finds a position near `position` at which a label is inside the drawing, overlaps no earlier
+    /// label and isn't covered by a handle. If there is no such position, returns one at which the
+    /// label is inside the drawing.
     fn nearest_free(&self, class: &str, position: DVec2, text: &str) -> DVec2 {
         let box_at = |position| LabelBox::new(class, position, text);
         let inside = position + box_at(position).shift_into(dvec2(WIDTH, self.height));
@@ -169,7 +169,8 @@ impl Drawing {
         gradients.chain([&*self.shapes]).map(str::to_owned).chain(labels).collect()
     }
 
-    /// The drawing as an HTML element, with a `title` for readers who can't see it.
+    /// The drawing as an `<svg>` element for an HTML page. The element has a title for readers who
+    /// can't see the drawing.
     pub fn html(&self, title: &str) -> String {
         let (height, elements, title) = (self.height, self.svg_elements(), escape_html(title));
         format!(
@@ -178,7 +179,7 @@ impl Drawing {
     }
 }
 
-/// The directions in which a label may be moved to a free place, in order of preference.
+/// The directions in which a label may be moved to a free position, in order of preference.
 const DIRECTIONS: [DVec2; 8] = [
     dvec2(0.0, -1.0),
     dvec2(1.0, 0.0),
@@ -199,7 +200,7 @@ impl Label {
     }
 }
 
-/// The commands for a path through `points`.
+/// The commands of an SVG path through `points`.
 fn path_commands(points: impl IntoIterator<Item = DVec2>) -> String {
     let pairs = points.into_iter().map(|DVec2 { x, y }| format!("{x:.2} {y:.2}"));
     format!("M{}", pairs.collect::<Vec<_>>().join("L"))

@@ -19,18 +19,19 @@ pub struct Figure {
     pub parameters: Vec<Parameter>,
     /// The marks that the reader can drag.
     pub handles: Vec<Handle>,
-    /// Formats the readouts: texts elsewhere on the page, which depend on the values.
+    /// Formats the readouts for the given parameter values. Readouts are texts elsewhere on the
+    /// page.
     pub readouts: fn(&ParameterValues) -> Readouts,
     /// The number of rows in the table that shows a pixel's trace, or 0 if there is no table.
     /// [`row_readout_name`] returns the names of a row's readouts.
     pub row_count: usize,
-    /// Additions for a scene that the reader can edit. None for any other figure.
+    /// What a page needs if the reader can edit the figure's scene. None for all other figures.
     pub editable_scene: Option<EditableScene>,
-    /// Whether there is anything to show at these values.
+    /// Whether the figure has anything to show with the given parameter values.
     pub has_something_to_show: fn(&ParameterValues) -> bool,
 }
 
-/// What a figure shows at given values.
+/// What a figure shows, with the function that draws it.
 #[derive(Debug)]
 pub enum Content {
     /// Lines and labels.
@@ -39,12 +40,13 @@ pub enum Content {
         title: &'static str,
         /// The caption, in Markdown with formulas.
         caption: &'static str,
-        /// Draws the lines and labels at these values.
+        /// Draws the lines and labels for the given parameter values.
         draw: fn(&ParameterValues) -> Drawing,
     },
     /// Pixels. The description and the caption are in the chapter.
     Picture {
-        /// Draws the pixels at these values, with at most this many columns.
+        /// Draws the pixels for the given parameter values. The second argument is the maximum
+        /// number of columns.
         draw: fn(&ParameterValues, u32) -> RgbImage,
     },
 }
@@ -53,13 +55,13 @@ pub enum Content {
 /// and some are phrases.
 pub type Readouts = BTreeMap<String, String>;
 
-/// The name of the readout in one row and column of a table: `a3` in row 3 of the column `a`. Rows
+/// The name of the readout in one cell of a table, such as `a3` in row 3 of the column `a`. Rows
 /// are counted from 0.
 pub fn row_readout_name(column: &str, row: usize) -> String {
     format!("{column}{row}")
 }
 
-/// Makes readouts from pairs of a name and a text.
+/// Collects readouts from (name, text) pairs.
 pub fn collect_readouts<const N: usize>(texts: [(&str, String); N]) -> Readouts {
     let mut readouts = Readouts::new();
     readouts.extend(texts.map(|(name, text)| (name.to_owned(), text)));
@@ -79,9 +81,9 @@ pub struct EditableScene {
 }
 
 impl Content {
-    /// In the pages' modules, drops a drawing's title and caption, because the builder has already
-    /// printed both. This function and [`Figure::new`] are inlined, so that the compiler leaves
-    /// both strings out of the modules.
+    /// In WebAssembly, drops a drawing's title and caption, because the builder has already printed
+    /// both. This function and [`Figure::new`] are inlined, so that the compiler leaves both
+    /// strings out of the modules.
     #[inline(always)]
     fn without_title_and_caption_if_wasm(self) -> Self {
         match self {

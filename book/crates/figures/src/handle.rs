@@ -18,23 +18,24 @@ pub struct Handle {
     pub horizontal: ParameterId,
     /// The parameter that the up and down arrow keys change. It may be the same as `horizontal`.
     pub vertical: ParameterId,
-    /// The parameter for the coordinate that points towards the reader, if the page lets the reader
-    /// change this coordinate.
+    /// The parameter for the z of the handle's object. Dragging with the Shift key changes this z.
+    /// None if the handle can't change a z.
     pub depth: Option<ParameterId>,
     /// The switch that adds the handle's object to the scene, if there is such a switch.
     pub presence: Option<ParameterId>,
-    /// The handle's position at these values, or None if there is nothing to drag.
+    /// Returns the handle's position for the given parameter values, or None if there is nothing to
+    /// drag.
     pub locate: Box<Locate>,
-    /// The values of `horizontal` and `vertical` that move the handle to a position, or near it.
-    /// The two values are equal if `horizontal` and `vertical` are the same parameter. None if
-    /// there is nothing to drag.
+    /// Returns the values that `horizontal` and `vertical` get when the handle is dragged to a
+    /// position. The two values are equal if `horizontal` and `vertical` are the same parameter.
+    /// Returns None if there is nothing to drag.
     pub coordinates_at: Box<CoordinatesAt>,
 }
 
 type Locate = dyn Fn(&ParameterValues) -> Option<DVec2> + Send + Sync;
 type CoordinatesAt = dyn Fn(&ParameterValues, DVec2) -> Option<DVec2> + Send + Sync;
 
-/// Leaves out the closures, which have nothing to show.
+/// Omits the closures, which can't be printed.
 impl Debug for Handle {
     fn fmt(&self, f: &mut Formatter) -> fmt::Result {
         let Self { label, mark, horizontal, vertical, depth, presence, .. } = self;
@@ -52,11 +53,11 @@ impl Debug for Handle {
 /// What a handle looks like.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Mark {
-    /// A ring, which moves part of the figure.
+    /// A ring. Part of the figure moves with it.
     Point,
-    /// A dotted ring, which moves a light.
+    /// A dotted ring. A light moves with it.
     Light,
-    /// A cross at the pixel whose trace the page shows. Dragging it doesn't change the picture.
+    /// A cross at the pixel whose trace the page shows. Dragging a probe doesn't change the picture.
     Probe,
 }
 
@@ -104,8 +105,8 @@ impl Handle {
         Self::new(label, [parameter; 2], move |values| Some(locate(values)), value_at)
     }
 
-    /// A handle that sets an angle, at a fixed distance from the origin. The angle is measured from
-    /// straight up to the left, and is between −90° and 270°.
+    /// A handle that moves on a circle around the origin and sets an angle. The angle is 0°
+    /// straight up and 90° to the left, and it ranges from −90° to 270°.
     pub fn of_degrees_left_of_up(
         label: &'static str,
         parameter: ParameterId,
@@ -127,10 +128,10 @@ impl Handle {
         Self::new(point.0, coordinates, locate, move |_, position| Some(view.to_world(position)))
     }
 
-    /// A handle in a picture that sets the x and y of a point in the world, and keeps the point's
-    /// z. The handle can't be dragged closer to the border than `margin`. If the ray through the
-    /// new position has no point with this z, the handle stays where it is. If `camera_and_point`
-    /// returns None, there is nothing to drag.
+    /// A handle in a picture that sets the x and y of a point in the world. The point's z doesn't
+    /// change. If the ray through the new position has no point with this z, the handle stays where
+    /// it is. The handle can't be dragged closer to the picture's border than `margin`. There is
+    /// nothing to drag while `camera_and_point` returns None.
     pub fn of_world_xy_in_picture(
         label: &'static str,
         coordinates: [ParameterId; 2],

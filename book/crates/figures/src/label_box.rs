@@ -19,7 +19,8 @@ pub struct LabelBox {
 }
 
 impl LabelBox {
-    /// The box around a text that has this class. The text's baseline is at `position`.
+    /// The box around a text whose baseline is at `position`. The class determines the font size,
+    /// and whether the text begins, ends or is centred at `position`.
     pub fn new(class: &str, position: DVec2, text: &str) -> Self {
         let has = |name: &str| class.split(' ').any(|word| word == name);
         // The font sizes are those in the theme's css/drawing.css. For small text, this is the size

@@ -130,7 +130,7 @@ impl Parameter {
         Self { kind, ..Self::number(id, label, default, range, 1.0) }
     }
 
-    /// A switch.
+    /// A switch. `is_on` is its default.
     pub fn switch(id: ParameterId, label: &'static str, is_on: bool) -> Self {
         let number = Self::number(id, label, is_on.into(), [0.0, 1.0], 1.0);
         Self { kind: ParameterKind::Switch, ..number }

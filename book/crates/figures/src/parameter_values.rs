@@ -7,7 +7,8 @@ use std::ops::Index;
 
 /// The name of a parameter, unique within its figure.
 ///
-/// It is displayed as one word, such as `red-sphere-radius`. Pages use this word for the parameter.
+/// The name is displayed as one word, such as `red-sphere-radius`. Pages refer to the parameter by
+/// this word.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct ParameterId {
     object: Option<&'static str>,

@@ -28,12 +28,12 @@ pub struct Reply {
 }
 
 impl Reply {
-    /// A reply with these fields, whose values are already JSON.
+    /// A reply with these fields. Their values have to be JSON already.
     pub fn from_json_fields(fields: impl IntoIterator<Item = (&'static str, String)>) -> Self {
         Self { text: json::object(fields), pixels: vec![] }
     }
 
-    /// A reply that only says what went wrong.
+    /// A reply whose only field is the error's message.
     pub fn from_error(error: impl Error) -> Self {
         Self::from_json_fields([("error", quote(error))])
     }
@@ -74,14 +74,15 @@ pub fn reply(figure_name: &str, request: &FigureRequest) -> Result<Reply, Figure
     Ok(reply)
 }
 
-/// Returns the number of columns that a request asks for, or an error if this number isn't allowed.
+/// Returns the requested number of columns, or [`COLUMNS`] if the request has none. A number that
+/// isn't allowed is an error.
 fn allowed_columns(columns: Option<u32>) -> Result<u32, FigureRequestError> {
     let columns = columns.unwrap_or(COLUMNS);
     let is_allowed = ALLOWED_COLUMNS.contains(&columns);
     is_allowed.then_some(columns).ok_or(FigureRequestError::Columns(columns))
 }
 
-/// Replies with what a page has to know about the figure before it can show anything.
+/// Replies with what a page has to know before it can show the figure.
 fn about_figure(figure: &Figure) -> Reply {
     let handles = figure.handles.iter().map(|handle| {
         json::object([
@@ -112,6 +113,7 @@ fn about_figure(figure: &Figure) -> Reply {
     Reply::from_json_fields(fields)
 }
 
+/// Formats what a page has to know about a parameter, as a JSON object.
 fn about_parameter(parameter: &Parameter) -> String {
     let [min, max] = parameter.range;
     json::object([
@@ -124,8 +126,8 @@ fn about_parameter(parameter: &Parameter) -> String {
     ])
 }
 
-/// Replies with everything that the page shows at these values. A picture has at most `columns`
-/// columns. If `columns` is None, nothing is drawn.
+/// Replies with everything that the page shows for the given parameter values. A picture has at
+/// most `columns` columns. If `columns` is None, nothing is drawn.
 fn reply_for_values(figure: &Figure, values: &ParameterValues, columns: Option<u32>) -> Reply {
     let by_id = |field: &dyn Fn(&Parameter, f64) -> String| {
         let fields: Vec<_> = figure
@@ -177,8 +179,8 @@ fn quote_or_null(text: Option<impl Display>) -> String {
     text.map_or("null".to_owned(), quote)
 }
 
-/// Converts a picture to the format of a canvas: red, green, blue and 255 for each pixel, row by
-/// row.
+/// Converts a picture to the format of a canvas: row by row, each pixel's red, green and blue, and
+/// 255 for its opacity.
 pub fn rgba_bytes(image: &RgbImage) -> Vec<u8> {
     let mut bytes = vec![255; 4 * image.as_raw().len() / 3];
     for (rgba, Rgb([red, green, blue])) in bytes.chunks_exact_mut(4).zip(image.pixels()) {
@@ -191,7 +193,7 @@ pub fn rgba_bytes(image: &RgbImage) -> Vec<u8> {
 mod tests {
     use super::*;
 
-    /// Parses values for a request. They are written as in an address.
+    /// Parses the values of a request from a text that is written like an address.
     fn parse_values(text: &str) -> Vec<(String, f64)> {
         let parts = text.split(',').filter_map(|part| part.split_once(':'));
         parts.map(|(id, value)| (id.to_owned(), value.parse().expect(text))).collect()

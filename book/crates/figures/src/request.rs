@@ -8,7 +8,7 @@ use thiserror::Error;
 pub enum FigureRequest {
     /// Asks for a description of the parameters and the handles.
     About,
-    /// Asks for everything that the page shows at these values.
+    /// Asks for everything that the page shows with these values.
     Show {
         /// The names of parameters, each with a value.
         values: Vec<(String, f64)>,
@@ -39,7 +39,7 @@ pub enum FigureRequest {
         /// The position in the picture.
         position: [f64; 2],
     },
-    /// Asks for the same as `Show`, at the values in an address.
+    /// Asks for the same as `Show`, with the values in an address.
     Open {
         /// The address.
         address: String,

@@ -16,15 +16,15 @@ const LIGHT_DISTANCE: f64 = 8.0;
 /// The number of steps from the first colour of the gradient to the last.
 const STEPS: u32 = 6;
 
-/// The shading of all balls that a drawing shows from the same side. It is a radial gradient. Its
-/// colours are those that step 4 computes for a teal ball in the scene's ambient light and warm
-/// light.
+/// A radial gradient that shades the balls in a drawing. All balls that are seen from the same side
+/// share the gradient. Its colours are those that step 4 computes for a teal ball in the scene's
+/// ambient light and warm light.
 #[derive(Clone, Debug)]
 pub struct Shading {
     /// The id of the gradient, which must be unique on a page.
     pub id: &'static str,
-    /// The point on the ball that is nearest to the light: how far it is to the right of the centre
-    /// and above it, in radii.
+    /// The point on the ball that is nearest to the light, as an offset from the ball's centre to
+    /// the right and upwards, in radii.
     brightest: DVec2,
     /// The colours at equal steps along the line from the brightest point to the opposite side of
     /// the outline.
@@ -32,7 +32,7 @@ pub struct Shading {
 }
 
 impl Shading {
-    /// The shading in a light in the direction `to_light`. The direction's components lead to the
+    /// The shading by a light in the direction `to_light`. The direction's components lead to the
     /// right, upwards and out of the page.
     pub fn new(id: &'static str, to_light: DVec3) -> Self {
         let brightest = to_light.normalize().truncate();
@@ -71,8 +71,8 @@ fn teal_ball(to_light: DVec3) -> Scene<Matte, PointLight> {
     Scene { objects: vec![ball], ambient_light: AMBIENT_LIGHT, lights: vec![light] }
 }
 
-/// The colour of the ball at a point on the page. The point's components lead to the right and
-/// upwards from the ball's centre.
+/// The colour of the ball at a point, as seen from the front. The point is an offset from the
+/// ball's centre to the right and upwards, in radii.
 fn ball_colour_at(scene: &Scene<Matte, PointLight>, point: DVec2) -> [u8; 3] {
     rgb8(colour(scene, &Ray { start: point.extend(2.0), direction: DVec3::NEG_Z })).0
 }
@@ -81,7 +81,7 @@ fn ball_colour_at(scene: &Scene<Matte, PointLight>, point: DVec2) -> [u8; 3] {
 mod tests {
     use super::*;
 
-    /// The colour of the gradient at a point on the page.
+    /// The colour of the gradient at a point, which is an offset as in `ball_colour_at`.
     fn gradient_colour_at(shading: &Shading, point: DVec2) -> [u8; 3] {
         let offset = point.distance(shading.brightest) / (1.0 + shading.brightest.length());
         let (k, fraction) = ((offset * f64::from(STEPS)) as usize, offset * f64::from(STEPS) % 1.0);

@@ -27,8 +27,8 @@ impl View {
         (position - self.origin) / self.scale * dvec2(1.0, -1.0)
     }
 
-    /// The angle from straight up to the line that leads from the origin to a position. It is in
-    /// degrees, and positive on the left.
+    /// The angle between straight up and the direction from the origin to a position, in degrees.
+    /// The angle is positive if the position is on the left.
     pub fn degrees_left_of_up(self, position: DVec2) -> f64 {
         let DVec2 { x, y } = self.origin - position;
         x.atan2(y).to_degrees()

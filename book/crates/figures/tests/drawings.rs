@@ -1,5 +1,5 @@
-//! Locks what a page shows and receives for each figure, as text. In the snapshots, each element of
-//! a drawing and each field of JSON has its own line.
+//! Locks each figure's texts, its replies to a page, and what dragging its handles does. In the
+//! snapshots, each element of a drawing and each field of JSON has its own line.
 
 use course::{Step, find_draw_function};
 use figures::{
@@ -59,7 +59,8 @@ fn replies(figure: &Figure, requests: &[(String, FigureRequest)]) -> String {
     parts.join("\n")
 }
 
-/// A request that shows the figure at these values. A picture has only eight columns.
+/// Returns a request to show the figure with these values, and the request's description. A picture
+/// has only eight columns.
 fn show_request(figure: &Figure, values: &ParameterValues) -> (String, FigureRequest) {
     let columns = match figure.content {
         Content::Drawing { .. } => None,
@@ -89,8 +90,8 @@ fn spread_values(figure: &Figure, seed: usize) -> ParameterValues {
     attempts.next().expect("the values of some attempt are allowed")
 }
 
-/// The default values and, if there are parameters, two other sets of values. These are spread over
-/// the parameters' ranges.
+/// The default values and, if there are parameters, two sets of values that are spread over the
+/// parameters' ranges.
 fn default_and_spread_values(figure: &Figure) -> Vec<ParameterValues> {
     let [first, second] = [1, 2].map(|seed| spread_values(figure, seed));
     let mut all = vec![figure.default_values(), first, second];
@@ -135,9 +136,10 @@ fn texts_and_replies_are_as_locked() {
     }
 }
 
-/// Returns these sets of values, unless the figure has nothing to show at them:
+/// Returns those of the following sets of values with which the figure has something to show:
 /// - the default values;
-/// - for each end of each parameter's range, the default values with this parameter at this end;
+/// - for each end of each parameter's range, the default values with only this parameter at this
+///   end;
 /// - all parameters at the lower ends of their ranges, and all at the upper ends.
 fn values_at_limits(figure: &Figure) -> Vec<ParameterValues> {
     let mut all = vec![figure.default_values()];
@@ -194,8 +196,8 @@ fn ids_in_a_drawing_begin_with_the_name_of_its_figure() {
     }
 }
 
-/// Lists the handles. Each has its position at these values, and the values of its parameters after
-/// it is dragged.
+/// Lists the handles. For each, gives its position with these values, and the new values of its two
+/// parameters after it is dragged to a fixed position.
 fn describe_handles_before_and_after_drag(figure: &Figure, values: &ParameterValues) -> String {
     let lines = figure.handles.iter().map(|handle| {
         let position = (handle.locate)(values).map(DVec2::round);

@@ -31,7 +31,8 @@ pub struct DrawnMistakes {
     small_pictures: HashMap<&'static str, RgbImage>,
 }
 
-/// Draws the mistakes that have no row in the table, or lack a small picture.
+/// Draws the mistakes that have no row in the table or lack a small picture, and writes the table
+/// and the small pictures.
 pub fn draw_new_mistakes() -> XtaskResult<()> {
     let mut drawn_mistakes = DrawnMistakes::read()?;
     let new: Vec<_> = drawn_mistakes.mistakes_to_draw().copied().collect();
@@ -93,6 +94,8 @@ impl DrawnMistakes {
         })
     }
 
+    /// Stores the row and the small pictures of a mistake that has been drawn. Prints the mistake's
+    /// title if it changes no picture.
     fn record(&mut self, key: u32, mistake: &Mistake, pictures: &DrawnPictures) {
         let hash = |(step, picture): &(Step, Option<RgbImage>)| {
             let hash = hash_picture(picture.as_ref()?);

@@ -41,6 +41,7 @@ pub fn compile_if_stale() -> XtaskResult<()> {
     fs::write(&path, text).map_err(XtaskError::of_file(&path))
 }
 
+/// Compiles the package `page` with the feature `name`. Returns the module's bytes.
 fn compile_module(name: &'static str) -> XtaskResult<Vec<u8>> {
     let sources = registry_source_folders().into_iter().chain([target_folder(), workspace()]);
     let flags: Vec<_> =
@@ -66,8 +67,8 @@ fn compile_module(name: &'static str) -> XtaskResult<Vec<u8>> {
     fs::read(&path).map_err(XtaskError::of_file(&path))
 }
 
-/// Checks whether a module contains the path of the workspace, of the target folder or of Cargo's
-/// home, and returns that path. A module with such a path would differ from machine to machine.
+/// Finds a folder of this machine whose path is in a module: the workspace, the target folder or
+/// Cargo's home. A module with such a path would differ from machine to machine.
 /// Paths of the standard library's sources are allowed, because they come with the compiler.
 fn find_local_folder(module: &[u8]) -> Option<PathBuf> {
     let folders = [workspace(), target_folder(), cargo_home()];

@@ -51,6 +51,7 @@ pub fn code_lines(code: &str) -> String {
     lines.collect::<Vec<_>>().join("\n")
 }
 
+/// Adds the source files in a folder and its subfolders to `files`.
 fn push_source_files(folder: &Path, files: &mut Vec<PathBuf>) -> XtaskResult<()> {
     for entry in fs::read_dir(folder).map_err(XtaskError::of_file(folder))? {
         let path = entry.map_err(XtaskError::of_file(folder))?.path();

@@ -37,10 +37,12 @@ pub fn figure() -> Figure {
     }
 }
 
+/// The attenuation that the reader has set.
 fn attenuation(values: &ParameterValues) -> Attenuation {
     Attenuation { a: values[A], b: values[B], c: values[C] }
 }
 
+/// Draws the axes and four curves, each with its name.
 fn draw(values: &ParameterValues) -> Drawing {
     let view = View { origin: dvec2(56.0, 230.0), scale: dvec2(22.0, 100.0) };
     let position = |d: f64, share: f64| view.xy_to_drawing(d, share);
@@ -67,8 +69,8 @@ fn draw(values: &ParameterValues) -> Drawing {
         let distances = (0..=100).map(|k| f64::from(k) * 0.14);
         drawing.path(class, distances.map(|d| position(d, 1.0 / attenuation.divisor(d))));
     }
-    // Each name goes at the end of its curve, or higher if it would otherwise overlap the name
-    // below it.
+    // Each curve's name is at the curve's end, or higher if the name would overlap the next name
+    // below.
     curves.sort_by(|(_, a, _), (_, b, _)| b.divisor(14.0).total_cmp(&a.divisor(14.0)));
     let mut y = f64::INFINITY;
     for (class, attenuation, name) in curves {

@@ -18,7 +18,7 @@ const ABOVE: View = View { origin: dvec2(116.0, 332.0), scale: DVec2::splat(190.
 const ANGLE: ParameterId = ParameterId::new("angle");
 
 const CONTENT: Content = Content::Drawing {
-    title: "Two equal balls at the same distance from the eye, one straight ahead and one on the right, from above, and over them their picture. The rays that touch the one on the right are cut by the image plane at a slant; in the picture, it is longer than it is wide.",
+    title: "Two equal balls at the same distance from the eye, one straight ahead and one on the right, from above, and over them their picture. The rays that touch the ball on the right are cut by the image plane at a slant; in the picture, this ball is longer than it is wide.",
     caption: "Equal balls at the same distance from the eye. The lower part shows them from above, the upper one their images. \
                   The ball on the right is {{#number ball-outlines:angle}}° from the axis, and its image {{#number ball-outlines:times}} times as long as it's wide. \
                   A dotted ray goes through the centre of each: on the image plane, the outer half of an image at the side is longer than the inner one. \
@@ -95,6 +95,7 @@ fn draw_ball(drawing: &mut Drawing, degrees: f64) {
     drawing.line("accent", on_plane(middle), on_plane(right));
 }
 
+/// Draws the picture's frame and the image plane, then both balls and the angle between them.
 fn draw(values: &ParameterValues) -> Drawing {
     let c = ABOVE.origin;
     let mut drawing = Drawing::new(352.0);

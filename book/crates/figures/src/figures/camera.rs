@@ -71,8 +71,8 @@ impl CameraFigure {
         view.to_drawing((turn * point).truncate())
     }
 
-    /// Inverts the projection of the image plane: returns the pixel at a position in the drawing,
-    /// in fractional coordinates that are clamped to the picture.
+    /// Returns the pixel whose point on the image plane is drawn at a position. The pixel's
+    /// coordinates are fractional, and are clamped to the picture.
     fn pixel_at(&self, position: DVec2) -> DVec2 {
         let project = |i, j| self.project(self.camera.ray(i, j).at(1.0));
         let first = project(0.0, 0.0);
@@ -125,6 +125,7 @@ fn clamp_to_picture(camera: &Camera, pixel: DVec2) -> DVec2 {
     pixel.clamp(DVec2::ZERO, last)
 }
 
+/// Draws the pyramid of rays, the vectors that lead to the chosen pixel, and the ray through it.
 fn draw(values: &ParameterValues) -> Drawing {
     let figure = CameraFigure::new(values);
     let c = figure.project(DVec3::ZERO);

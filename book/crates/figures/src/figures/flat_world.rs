@@ -84,8 +84,8 @@ impl FlatWorld {
         Self { ray, q: point(LIGHT), balls: balls.collect() }
     }
 
-    /// Follows the ray from the eye and its reflections until the third hit. Returns the hits and,
-    /// if one of the rays hits nothing, that ray.
+    /// Follows the ray from the eye and its reflections until the third hit. Returns the hits, and
+    /// the ray that hits nothing, if there is such a ray.
     fn trace(&self) -> (Vec<PathPoint<'_>>, Option<Ray>) {
         let (mut hits, mut ray) = (vec![], self.ray);
         for _ in 0..3 {
@@ -99,6 +99,7 @@ impl FlatWorld {
     }
 }
 
+/// Draws the balls, the path of the ray, and a line to the light from each hit.
 fn draw(values: &ParameterValues) -> Drawing {
     let world = FlatWorld::new(values);
     let (hits, escaping_ray) = world.trace();

@@ -53,7 +53,7 @@ fn top_and_bottom_rays() -> [Ray; 2] {
     [0.0, 1.0].map(|j| camera.ray(0.5, j))
 }
 
-/// What OpenGL does with a ball: it draws only what is between the near and the far plane.
+/// What OpenGL's near and far plane do to a ball.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Clipping {
     CutAway,
@@ -82,6 +82,7 @@ impl Clipping {
     }
 }
 
+/// Draws the frustum, the balls with their labels, and the rays that hit the balls.
 fn draw(values: &ParameterValues) -> Drawing {
     let (planes, edge_rays) = ([values[NEAR], values[FAR]], top_and_bottom_rays());
     let mut drawing = Drawing::new(334.0);
@@ -105,7 +106,8 @@ fn draw(values: &ParameterValues) -> Drawing {
         } else {
             drawing.ball(&shading, centre, DVec2::splat(radius));
         }
-        // The label is away from the other rays: above a high ball, and below a low one.
+        // The label keeps clear of the other balls' rays: it is above a ball in the upper half of
+        // the view, and below a ball in the lower half.
         let below = if sphere.centre.y > 0.0 { -radius - 10.0 } else { radius + 40.0 };
         drawing.label("quiet over", centre + dvec2(0.0, below), clipping.label());
         let ray = Ray { start: DVec3::ZERO, direction: sphere.centre };

@@ -35,6 +35,7 @@ pub fn figure() -> Figure {
     }
 }
 
+/// Draws the spheres and the ray, with a dot and a number at each root.
 fn draw(values: &ParameterValues) -> Drawing {
     let ray = Ray { start: DVec3::ZERO, direction: DVec3::X };
     let objects = SPHERES.iter().zip(0..).map(|(&(centre, radius), material)| Object {
@@ -60,9 +61,9 @@ fn draw(values: &ParameterValues) -> Drawing {
     drawing.dot("eye", position(0.0));
     drawing.label("strong over", position(0.0) + dvec2(0.0, -12.0), "$S$");
     for Object { sphere, material: k, .. } in &objects {
-        // Each sphere has a row for its roots. The first root is to the left of the line from its
-        // dot, and the second root is to the right of its own line, so that the two numbers don't
-        // overlap.
+        // Each sphere has a row with the numbers of its roots. A line leads down to each number
+        // from its root's dot. The first number is to the left of its line and the second to the
+        // right of its line, so that the two numbers don't overlap.
         let y = 222.0 + 20.0 * *k as f64;
         for (t, anchor) in sphere.intersect(&ray).into_iter().zip(["end", "start"]) {
             let (dot, label) = match nearest_hit {

@@ -41,6 +41,7 @@ pub fn figure() -> Figure {
     }
 }
 
+/// Draws a beam that falls straight down, and a beam at the reader's angle.
 fn draw(values: &ParameterValues) -> Drawing {
     let mut drawing = Drawing::new(300.0);
     draw_beam_on_ground(&mut drawing, dvec2(106.0, 210.0), 0.0);
@@ -48,12 +49,14 @@ fn draw(values: &ParameterValues) -> Drawing {
     drawing
 }
 
+/// Draws a beam that falls on the ground at an angle to the normal, the strip that it lights, and
+/// the numbers below them.
 fn draw_beam_on_ground(drawing: &mut Drawing, ground: DVec2, degrees: f64) {
     let angle = degrees.to_radians();
     let l = direction_left_of_up(degrees);
     let to_light = dvec2(l.x, -l.y);
     let share = brightness(l);
-    // At 90°, rounding leaves the cosine slightly above 0.
+    // At 90°, rounding leaves the cosine slightly above 0, so a tiny share counts as no light.
     let is_lit = share >= 0.0005;
     // Half the width of the lit strip. The strip's width is the beam's width divided by the cosine.
     let half = 26.0 / l.y;
@@ -61,7 +64,7 @@ fn draw_beam_on_ground(drawing: &mut Drawing, ground: DVec2, degrees: f64) {
     // drawn ground ends.
     let edge = (92.0 / half.abs()).min(1.0);
     let foot = |k: f64| ground + dvec2(k * half, 0.0);
-    // The unit vector at a right angle to the beam.
+    // A unit vector perpendicular to the beam.
     let across = to_light.perp();
     let start = |k: f64| ground + LENGTH * to_light + 26.0 * k * across;
     drawing.area("beam", [foot(-edge), foot(edge), start(edge), start(-edge)]);
@@ -81,7 +84,8 @@ fn draw_beam_on_ground(drawing: &mut Drawing, ground: DVec2, degrees: f64) {
     }
     let is_strip = is_lit && edge == 1.0;
     if is_strip {
-        // A right triangle with the width of the beam as one leg and the strip as its hypotenuse.
+        // This line is a leg of a right triangle, and as long as the beam is wide. The strip is the
+        // triangle's hypotenuse.
         let corner = foot(-1.0);
         let end = corner + 52.0 * across;
         drawing.line("vector", corner, end);

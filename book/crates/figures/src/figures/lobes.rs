@@ -30,6 +30,7 @@ pub fn figure() -> Figure {
     }
 }
 
+/// Draws the lobes with a legend, the vectors l, n and r, and an arc at half the lobes' length.
 fn draw(values: &ParameterValues) -> Drawing {
     let reader_n = values[EXPONENT] as i32;
     // r is as far to the right of n as the light is to the left.

@@ -29,6 +29,7 @@ pub fn figure() -> Figure {
     }
 }
 
+/// Draws the top of a sphere, and the four vectors at a point on it.
 fn draw(values: &ParameterValues) -> Drawing {
     let mut drawing = Drawing::new(320.0);
     let p = VIEW.origin;

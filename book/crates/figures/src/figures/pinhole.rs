@@ -10,12 +10,14 @@ const CONTENT: Content = Content::Drawing {
     draw,
 };
 
-/// A pinhole camera from the side, with one image behind the pinhole and another image in front of
-/// it.
+/// A pinhole camera from the side, with an image behind the pinhole and an image in front of the
+/// pinhole.
 pub fn figure() -> Figure {
     Figure::new("pinhole", CONTENT)
 }
 
+/// Draws two rays through the pinhole, and an arrow three times: in the scene, on the image plane,
+/// and upside down behind the pinhole.
 fn draw(_: &ParameterValues) -> Drawing {
     let view = View { origin: dvec2(180.0, 94.0), scale: DVec2::splat(96.0) };
     let ray = |y| Ray { start: DVec3::ZERO, direction: DVec3::new(1.0, y, 0.0) };

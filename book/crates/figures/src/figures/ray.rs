@@ -77,10 +77,12 @@ fn v_tip_position(values: &ParameterValues) -> DVec2 {
     position_on_ray(values, 1.0) + BESIDE
 }
 
+/// Whether a position is at least 14 from the border of the drawing.
 fn is_well_inside_drawing(position: DVec2) -> bool {
     position.clamp(DVec2::splat(14.0), SIZE - 14.0) == position
 }
 
+/// Draws the ray, V beside it, and the points at several values of t and at the reader's distance.
 fn draw(values: &ParameterValues) -> Drawing {
     let position = |t: f64| position_on_ray(values, t);
     let (s, v) = (position(0.0), position(1.0) - position(0.0));
@@ -92,7 +94,8 @@ fn draw(values: &ParameterValues) -> Drawing {
     drawing.arrow("vector", s + BESIDE, v_tip_position(values));
     drawing.label("strong over", position(0.5) + BESIDE + dvec2(-6.0, -10.0), "$V$");
     drawing.label("strong over", s + dvec2(-18.0, -12.0), "$S$");
-    // If the ray's line falls to the right, the labels are above it. Otherwise, they are below it.
+    // If the ray's line slopes down to the right, the labels are above the line. Otherwise, the
+    // labels are below it.
     let shift = dvec2(8.0, if v.x * v.y <= 0.0 { 28.0 } else { -18.0 });
     for t in (-1..10).map(|k| f64::from(k).max(-0.5)) {
         let label = position(t) + shift;

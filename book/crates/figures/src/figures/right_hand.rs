@@ -15,6 +15,7 @@ pub fn figure() -> Figure {
     Figure::new("right-hand", CONTENT)
 }
 
+/// Draws the axes, and a dotted line in the direction in which the camera looks.
 fn draw(_: &ParameterValues) -> Drawing {
     let view = View { origin: dvec2(180.0, 122.0), scale: DVec2::splat(92.0) };
     // The z axis points towards the reader, and is drawn to the lower left.

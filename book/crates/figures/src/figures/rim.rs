@@ -43,6 +43,7 @@ fn phong_vectors(values: &ParameterValues) -> [DVec3; 4] {
     [n, l, reflect(n, l), v]
 }
 
+/// Draws the top of the ball, and the four vectors at a point near its rim.
 fn draw(values: &ParameterValues) -> Drawing {
     let mut drawing = Drawing::new(314.0);
     let p = VIEW.origin;

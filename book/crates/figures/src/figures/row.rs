@@ -41,6 +41,8 @@ pub fn figure() -> Figure {
     }
 }
 
+/// The row of rays with these values. If the reader divides by hRes rather than hRes − 1, D is too
+/// short.
 fn row(values: &ParameterValues) -> Row {
     let rays = values[RAYS];
     let mut row = Row::new(rays as u32, values[FIELD_OF_VIEW].to_radians());
@@ -56,6 +58,7 @@ fn view(row: &Row) -> View {
     View { origin: ORIGIN, scale: DVec2::splat(205.0 * (0.84 / tan).min(1.0)) }
 }
 
+/// Draws the row of rays, V_0, two of the steps D, and the triangle that gives tan(θ/2).
 fn draw(values: &ParameterValues) -> Drawing {
     let row = row(values);
     let view = view(&row);

@@ -1,4 +1,5 @@
-//! The scene of step 3 from above, with the pixel that the reader chooses in the picture of step 3.
+//! The scene of step 3 from above, with the ray of the pixel that the reader has chosen in the
+//! picture of step 3.
 
 use super::*;
 use crate::pictures::step03;
@@ -50,6 +51,7 @@ fn outline_in_plane_of_row(sphere: &Sphere, ray: &Ray) -> Option<Vec<DVec2>> {
     Some(points.collect())
 }
 
+/// Draws lines of equal t, the outline of each sphere, and the ray with its roots.
 fn draw(values: &ParameterValues) -> Drawing {
     let ray = probe_ray(values);
     let nearest_hit = nearest(&OBJECTS, &ray);
@@ -59,7 +61,7 @@ fn draw(values: &ParameterValues) -> Drawing {
         drawing.line("grid", left, right);
         drawing.label("quiet start", left + dvec2(0.0, -5.0), &format!("$t$ = {t}"));
     }
-    // Draws the largest sphere first, so that the ground is beneath the other spheres.
+    // The largest sphere is drawn first, so that the ground is beneath the other spheres.
     let mut objects = OBJECTS;
     objects.sort_by(|a, b| b.sphere.radius.total_cmp(&a.sphere.radius));
     for Object { name, sphere, .. } in &objects {

@@ -45,6 +45,7 @@ fn circle_view(case: usize) -> View {
     View { origin: dvec2(x, 112.0), scale: DVec2::splat(33.0) }
 }
 
+/// Draws the three cases side by side.
 fn draw(values: &ParameterValues) -> Drawing {
     let mut drawing = Drawing::new(362.0);
     for (case, (start, _)) in STARTS.iter().enumerate() {
@@ -55,6 +56,7 @@ fn draw(values: &ParameterValues) -> Drawing {
     drawing
 }
 
+/// Draws one case: the circle, the ray, and the parabola below them, with dots at the roots.
 fn draw_ray_and_parabola(drawing: &mut Drawing, ray: &Ray, circle_view: View) {
     let x = circle_view.origin.x;
     // The parabola is straight below the ray, with t = 0 below the start.

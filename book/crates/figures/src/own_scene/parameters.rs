@@ -45,8 +45,8 @@ pub static PARAMETERS: LazyLock<Vec<(Target, Parameter)>> = LazyLock::new(|| {
     parameters
 });
 
-/// Returns a parameter for each number that belongs to an owner. If the owner is an object or a
-/// light, `k` is its index. `name` is the owner's name in the parameters' ids.
+/// Returns a parameter for each number that belongs to an owner, with its target. If the owner is
+/// an object or a light, `k` is its index. The parameters' ids contain `owner_name`.
 fn parameters_of_owner(
     own: &OwnScene,
     owner: Owner,
@@ -87,7 +87,7 @@ pub fn component_ids(object: &str, components: [Component; 3]) -> Option<[Parame
     Some([first?, second?, third?])
 }
 
-/// The scene at these values, without whatever is switched off.
+/// The scene with these values, without the objects and lights that are switched off.
 pub fn own_scene(values: &ParameterValues) -> OwnScene {
     let mut own = complete_scene(values);
     // Goes from last to first, because removing an object or a light changes all later indices.
@@ -107,7 +107,7 @@ pub fn own_scene(values: &ParameterValues) -> OwnScene {
     own
 }
 
-/// The scene at these values, including whatever is switched off.
+/// The scene with these values, including the objects and lights that are switched off.
 pub fn complete_scene(values: &ParameterValues) -> OwnScene {
     let mut own = largest_scene();
     own.has_mirrors = values.is_on(MIRRORS);

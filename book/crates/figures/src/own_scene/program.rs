@@ -25,7 +25,7 @@ pub fn format_program(own: &OwnScene) -> String {
     program
 }
 
-/// The range in `program` of the lines between a function's braces.
+/// The byte range in `program` of a function's body, without its braces.
 ///
 /// # Panics
 ///

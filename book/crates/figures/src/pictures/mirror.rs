@@ -67,13 +67,13 @@ impl MirrorPicture {
         Self { depth: values[DEPTH] as u32, offset, scene }
     }
 
-    /// The colour that `ray` sees after at most `depth` reflections.
+    /// The colour that `ray` sees, with at most `depth` reflections.
     fn colour(&self, ray: &Ray, depth: u32) -> DVec3 {
         colour(&self.scene, ray, depth, self.offset)
     }
 
-    /// Returns the table's row for what `ray` hits: the object, t, k and I. Also returns the
-    /// reflected ray, if it is to be traced.
+    /// Returns the row of the table for `ray`: the object that it hits, t, k and I. Also returns
+    /// the reflected ray, or None if the path ends here.
     fn trace_hit(&self, ray: &Ray, depth: u32) -> ([String; 4], Option<Ray>) {
         let objects = &self.scene.objects;
         let intensity = format_vector(self.colour(ray, depth));

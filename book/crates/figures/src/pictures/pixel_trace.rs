@@ -12,8 +12,8 @@ use step05_phong::{
     Hit, Light, Material, Object, Scene, light_terms, nearest, phong, reflect, visible_point,
 };
 
-/// Names the object that a ray hits first, and the t of the hit. If the ray hits no object, returns
-/// “sky”.
+/// Describes the first hit of a ray: the object's short name and the t of the hit. Returns “sky” if
+/// the ray hits no object.
 pub fn describe_hit<M>(objects: &[Object<M>], ray: &Ray) -> String {
     match nearest(objects, ray) {
         Some(Hit { object, t }) => {

@@ -17,7 +17,7 @@ pub fn figure() -> Figure {
     let [warm, cool] = LIGHTS;
     let parameters = [
         position_parameters(warm, WARM_LIGHT.position, [[-8.0, 8.0], [-1.0, 8.0], [-12.0, 2.0]]),
-        // Wherever these ranges put the light, it is within the picture.
+        // Everywhere in these ranges, the light is inside the picture.
         position_parameters(cool, COOL_LIGHT.position, [[-6.0, 6.0], [-3.4, 3.4], [-16.0, -11.0]]),
     ];
     let mut figure =

@@ -45,7 +45,7 @@ pub fn figure() -> Figure {
     }
 }
 
-/// The scene with the terms and materials set to these values.
+/// The scene of step 5 with the terms and materials that the reader has set.
 fn changed_scene(values: &ParameterValues) -> Scene<Material, Light> {
     let mut scene = step05_phong::scene();
     scene.ambient_light *= values[AMBIENT];
