@@ -117,12 +117,12 @@ impl Drawing {
     /// Text that would be cut off at the border or overlap an earlier label is moved to a free
     /// position nearby.
     pub fn label(&mut self, class: &str, position: DVec2, text: &str) {
-        let position = self.nearest_free(class, position, text);
+        let position = self.free_position_nearby(class, position, text);
         self.labels.push(Label { class: class.into(), position, text: text.into() });
     }
 
     /// Moves the labels that handles at these positions would cover to free positions nearby.
-    pub fn keep_clear_of_handles(mut self, handles: Vec<DVec2>) -> Self {
+    pub fn with_labels_clear_of_handles(mut self, handles: Vec<DVec2>) -> Self {
         self.handles = handles;
         for Label { class, position, text } in mem::take(&mut self.labels) {
             self.label(&class, position, &text);
@@ -133,7 +133,7 @@ impl Drawing {
     /// Finds a position near `position` at which a label is inside the drawing, overlaps no earlier
     /// label and isn't covered by a handle. If there is no such position, returns one at which the
     /// label is inside the drawing.
-    fn nearest_free(&self, class: &str, position: DVec2, text: &str) -> DVec2 {
+    fn free_position_nearby(&self, class: &str, position: DVec2, text: &str) -> DVec2 {
         let box_at = |position| LabelBox::new(class, position, text);
         let inside = position + box_at(position).shift_into(dvec2(WIDTH, self.height));
         let others: Vec<LabelBox> = self.label_boxes().map(|(_, label_box)| label_box).collect();
@@ -142,7 +142,7 @@ impl Drawing {
             let is_inside = label_box.shift_into(dvec2(WIDTH, self.height)) == DVec2::ZERO;
             is_inside
                 && !others.iter().any(|other| label_box.overlaps(other))
-                && !self.handles.iter().any(|&handle| label_box.is_below_handle(handle))
+                && !self.handles.iter().any(|&handle| label_box.is_covered_by_handle(handle))
         };
         let distances = (0..=15).map(|k| 4.0 * f64::from(k));
         let mut candidates =

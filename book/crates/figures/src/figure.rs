@@ -122,7 +122,7 @@ impl Figure {
     pub fn draw(&self, values: &ParameterValues) -> Option<Drawing> {
         let Content::Drawing { draw, .. } = self.content else { return None };
         let positions = self.handles.iter().filter_map(|handle| (handle.locate)(values));
-        Some(draw(values).keep_clear_of_handles(positions.collect()))
+        Some(draw(values).with_labels_clear_of_handles(positions.collect()))
     }
 
     /// The handle that is a probe, if there is one.

@@ -26,7 +26,7 @@ pub static FIGURES: LazyLock<Vec<Figure>> = LazyLock::new(|| {
         flat_world::figure(),
         step01::figure(),
         step01::figure_with_probe(),
-        step01::checkerboard(),
+        step01::checkerboard_figure(),
         step02::figure(),
         step03::figure(),
         step04::figure(),

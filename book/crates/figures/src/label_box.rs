@@ -53,7 +53,7 @@ impl LabelBox {
     }
 
     /// Whether a handle at this position would cover a part of the box.
-    pub fn is_below_handle(&self, position: DVec2) -> bool {
+    pub fn is_covered_by_handle(&self, position: DVec2) -> bool {
         position.distance(position.clamp(self.min, self.max)) < HANDLE_RADIUS
     }
 }
@@ -110,12 +110,12 @@ mod tests {
     }
 
     #[test]
-    fn handle_is_round() {
+    fn handle_covers_a_disc() {
         let label_box = LabelBox { min: DVec2::ZERO, max: DVec2::splat(30.0) };
         let positions = [15.0, 40.0, 42.0].map(|x| DVec2::new(x, 15.0));
-        let is_below = |position| label_box.is_below_handle(position);
-        assert_eq!(positions.map(is_below), [true, true, false]);
-        assert!(is_below(DVec2::splat(37.0)) && !is_below(DVec2::splat(38.0)));
+        let is_covered = |position| label_box.is_covered_by_handle(position);
+        assert_eq!(positions.map(is_covered), [true, true, false]);
+        assert!(is_covered(DVec2::splat(37.0)) && !is_covered(DVec2::splat(38.0)));
     }
 
     #[test]

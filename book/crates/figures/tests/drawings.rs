@@ -158,7 +158,7 @@ fn values_at_limits(figure: &Figure) -> Vec<ParameterValues> {
 }
 
 #[test]
-fn labels_are_inside_their_drawing_and_on_no_other_label_and_below_no_handle() {
+fn labels_are_inside_their_drawing_and_covered_by_no_label_or_handle() {
     let mut faults = vec![];
     for figure in FIGURES.iter() {
         for values in values_at_limits(figure).iter().chain(&default_and_spread_values(figure)) {
@@ -177,8 +177,10 @@ fn labels_are_inside_their_drawing_and_on_no_other_label_and_below_no_handle() {
                 let overlapped = labels[..k].iter().find(|(_, other)| label_box.overlaps(other));
                 faults.extend(overlapped.map(|(other, _)| format!("{label} overlaps {other}")));
                 let mut handles = handles.iter();
-                let above = handles.find(|(_, position)| label_box.is_below_handle(*position));
-                faults.extend(above.map(|(handle, _)| format!("{label} is below {handle}")));
+                let covering =
+                    handles.find(|(_, position)| label_box.is_covered_by_handle(*position));
+                faults
+                    .extend(covering.map(|(handle, _)| format!("{label} is covered by {handle}")));
             }
         }
     }

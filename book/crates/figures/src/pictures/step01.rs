@@ -64,7 +64,7 @@ pub fn figure_with_probe() -> Figure {
 }
 
 /// The checkered floor with a probe, which says where on the floor a ray arrives.
-pub fn checkerboard() -> Figure {
+pub fn checkerboard_figure() -> Figure {
     Figure {
         readouts: |values| {
             let ray = probe_ray(values);
@@ -104,7 +104,7 @@ mod tests {
 
     #[test]
     fn probe_says_floor_where_the_picture_has_tiles() {
-        let figure = checkerboard();
+        let figure = checkerboard_figure();
         for (j, seen) in [(100.0, "sky"), (179.0, "sky"), (180.0, "floor"), (359.0, "floor")] {
             let values = figure.default_values_with_probe_at([100.0, j]).expect("a pixel");
             let ray = probe_ray(&values);
