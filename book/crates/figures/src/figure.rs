@@ -117,8 +117,8 @@ impl Figure {
         self.parameters.iter().map(|parameter| (parameter.id, parameter.default)).collect()
     }
 
-    /// The drawing at these values, in which no handle covers a label. Returns None if the figure is
-    /// a picture.
+    /// Draws the figure for the given parameter values, with labels that give way to the handles.
+    /// Returns None if the figure is a picture.
     pub fn draw(&self, values: &ParameterValues) -> Option<Drawing> {
         let Content::Drawing { draw, .. } = self.content else { return None };
         let positions = self.handles.iter().filter_map(|handle| (handle.locate)(values));

@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 
-/// The radius of a handle on a phone, where it takes up more of the drawing than anywhere else.
+/// The radius of a handle on a phone, where handles are largest in comparison with the drawing.
 const HANDLE_RADIUS: f64 = 11.0;
 
 /// The smallest distance of a label from other labels and from the border.
@@ -40,8 +40,8 @@ impl LabelBox {
         Self { min, max: min + DVec2::new(width, 0.98 * size) }
     }
 
-    /// The smallest shift that moves the box inside a drawing of this size, with a margin, because
-    /// the letters may be wider than estimated.
+    /// The smallest shift that moves the box inside a drawing of this size. The box keeps a margin
+    /// to the border, because the letters may be wider than estimated.
     pub fn shift_into(&self, drawing_size: DVec2) -> DVec2 {
         let max = drawing_size - MARGIN;
         (MARGIN - self.min).max(DVec2::ZERO) - (self.max - max).max(DVec2::ZERO)

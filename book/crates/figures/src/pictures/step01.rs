@@ -63,7 +63,7 @@ pub fn figure_with_probe() -> Figure {
     }
 }
 
-/// The checkered floor with a probe, which says where on the floor a ray arrives.
+/// The checkered floor with a probe. The readouts say where the probe's ray hits the floor.
 pub fn checkerboard_figure() -> Figure {
     Figure {
         readouts: |values| {
@@ -106,12 +106,16 @@ mod tests {
     fn probe_says_floor_where_the_picture_has_tiles() {
         let figure = checkerboard_figure();
         for (j, seen) in [(100.0, "sky"), (179.0, "sky"), (180.0, "floor"), (359.0, "floor")] {
-            let values = figure.default_values_with_probe_at([100.0, j]).expect("a pixel");
+            let values = figure
+                .default_values_with_probe_at([100.0, j])
+                .expect("the picture has this pixel");
             let ray = probe_ray(&values);
             assert_eq!(checkerboard_colour(&ray) == direction_colour(&ray), seen == "sky");
             assert!((figure.readouts)(&values)["seen"].starts_with(seen), "row {j}");
         }
-        let values = figure.default_values_with_probe_at([320.0, 270.0]).expect("a pixel");
+        let values = figure
+            .default_values_with_probe_at([320.0, 270.0])
+            .expect("the picture has this pixel");
         let seen = &(figure.readouts)(&values)["seen"];
         assert_eq!(seen, "floor, t = 9.1722, p = (0.0083, −1.5, −9.1722)");
     }
