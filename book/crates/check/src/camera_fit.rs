@@ -173,8 +173,8 @@ fn bound_by_sky(
     // - The blue of your pixel is 255.
     // - One of red and green depends on the number. In the other one, your byte equals ours.
     //
-    // From step 4 on, a highlight might pass for sky, so we look only at the upper third of the
-    // picture, where there are hardly any highlights.
+    // From step 4 on, a bright surface might pass for sky, so we look only at the upper third of
+    // the picture, where there are hardly any highlights.
     let rows = if scene.step < Step::Diffuse { 0..PICTURE_ROWS } else { 0..PICTURE_ROWS / 3 };
     let is_sky = |pixel: &&Pixel| {
         let Pixel { yours, ours, hit, .. } = pixel;

@@ -200,10 +200,13 @@ impl Label {
     }
 }
 
-/// The commands of an SVG path through `points`.
+/// The commands of an SVG path through `points`. A point that rounds to the same numbers as the one
+/// before it is left out.
 fn path_commands(points: impl IntoIterator<Item = DVec2>) -> String {
     let pairs = points.into_iter().map(|DVec2 { x, y }| format!("{x:.2} {y:.2}"));
-    format!("M{}", pairs.collect::<Vec<_>>().join("L"))
+    let mut pairs: Vec<_> = pairs.collect();
+    pairs.dedup();
+    format!("M{}", pairs.join("L"))
 }
 
 #[cfg(test)]
@@ -219,6 +222,12 @@ mod tests {
             drawing.svg_elements(),
             format!("<text class=\"quiet\" x=\"50.0\" y=\"50.0\">{spans}</text>")
         );
+    }
+
+    #[test]
+    fn path_leaves_out_points_that_round_to_the_same_numbers() {
+        let points = [(1.0, 2.0), (1.001, 2.0), (3.0, 2.0), (1.0, 2.0)].map(DVec2::from);
+        assert_eq!(path_commands(points), "M1.00 2.00L3.00 2.00L1.00 2.00");
     }
 
     #[test]

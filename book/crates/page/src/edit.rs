@@ -174,8 +174,8 @@ fn describe_effect_on_later_steps(edit: &Edit) -> Option<String> {
     let lines = edit.compile_lines().ok()?;
     let blind = "This picture can't show what you changed here: it shows whether a ray meets the \
                  ball, not at which t.";
-    // Each of these pixels may take eight times as many operations as a pixel at full size, because
-    // a later step may evaluate the lines for each of its nine balls.
+    // A later step may evaluate the lines once for each of its nine balls, so a pixel gets eight
+    // times the operations of a pixel at full size.
     let max_operations = 8 * MAX_OPERATIONS / u64::from(PIXEL_SPACING * PIXEL_SPACING);
     let draw = |step: Step, lines: &[CompiledLine]| {
         draw_some_pixels(step, lines, PIXEL_SPACING, FULL_WIDTH, max_operations)
