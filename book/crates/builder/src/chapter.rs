@@ -10,7 +10,7 @@ use crate::listing::ExpandedListing;
 use crate::markdown::{self, html_block};
 use crate::open_box::Boxes;
 use crate::picture::{self, Interaction, LoadingTime};
-use crate::problem::{PositionPair, Problem, ProblemHeading};
+use crate::problem::{NumberAndAnswer, PositionPair, Problem};
 use crate::{
     Sources, algorithm, check_form, console, figure, folded_box, formula, listing, mistake_gallery,
     note, numbers, pixel_panel,
@@ -276,7 +276,7 @@ impl<'a> Chapter<'a> {
             }
             Event::DisplayMath(latex) => formula::formula_html(latex, true, values)?,
             Event::Code(code) if is_breakable_name(code) => markdown::code_with_break_hints(code),
-            Event::Code(_) => numbers::fill_in_code(source, values)?,
+            Event::Code(_) => numbers::fill_in_values_in_code(source, values)?,
             Event::Text(_) | Event::Html(_) | Event::InlineHtml(_) => {
                 self.report_first_unescaped_dollar(source, range.start);
                 let Some(first) = source.find("{{#") else { return Ok(Expansion::Keep) };
@@ -311,7 +311,7 @@ impl<'a> Chapter<'a> {
         start: usize,
     ) -> ChapterResult<String> {
         let CodeBlockKind::Fenced(info) = kind else {
-            return numbers::fill_in_code(source, &self.sources.values);
+            return numbers::fill_in_values_in_code(source, &self.sources.values);
         };
         let (language, fence_words) = info.split_once(',').unwrap_or((info, ""));
         let lines: Vec<&str> = source.trim_end().lines().skip(1).collect();
@@ -334,7 +334,7 @@ impl<'a> Chapter<'a> {
         } else if ["", "rust", "toml"].contains(&language) {
             return Err(ChapterError::CodeNotIncluded);
         } else {
-            return numbers::fill_in_code(source, &self.sources.values);
+            return numbers::fill_in_values_in_code(source, &self.sources.values);
         };
         Ok(html_block(&html))
     }
@@ -361,7 +361,7 @@ impl<'a> Chapter<'a> {
             }
             DirectiveKind::Problem => {
                 self.boxes.ensure_problem_can_begin()?;
-                self.expand_problem_heading(words, range);
+                self.begin_problem(words, range);
                 return Ok(Expansion::Done);
             }
             DirectiveKind::ProblemSheet => {
@@ -391,17 +391,17 @@ impl<'a> Chapter<'a> {
     }
 
     /// Expands the first line of a problem, and opens the problem.
-    fn expand_problem_heading(&mut self, words: &str, range: &Range<usize>) {
-        let (heading, html) = match ProblemHeading::parse(words) {
-            Ok(heading) => {
-                let html = html_block(&heading.opening_html());
-                (Some(heading), Ok(html))
+    fn begin_problem(&mut self, words: &str, range: &Range<usize>) {
+        let (number_and_answer, html) = match NumberAndAnswer::parse(words) {
+            Ok(number_and_answer) => {
+                let html = html_block(&number_and_answer.opening_html());
+                (Some(number_and_answer), Ok(html))
             }
             Err(error) => (None, Err(error)),
         };
         self.replace(range.clone(), html);
         let text_start = self.copy_until_position_pair(range.end);
-        self.boxes.begin_problem(heading, range.start, text_start);
+        self.boxes.begin_problem(number_and_answer, range.start, text_start);
     }
 
     /// Expands `{{#end}}`. If this ends a problem, adds the problem to the chapter's problems.

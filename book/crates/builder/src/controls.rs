@@ -25,7 +25,7 @@ pub fn controls_html(figure: &Figure) -> String {
     let (mut folded, mut above, mut below) = (vec![], String::new(), String::new());
     for parameter in &figure.parameters {
         let control = Control { figure, parameter };
-        if control.is_left_to_script() {
+        if control.is_added_by_script() {
             continue;
         }
         if control.is_folded() {
@@ -99,20 +99,20 @@ impl Control<'_> {
 
     /// The object that the reader has to choose before the page shows this control. Returns None if
     /// the control doesn't depend on that choice.
-    fn required_object(&self) -> Option<&'static str> {
+    fn object_to_choose(&self) -> Option<&'static str> {
         self.figure.editable_scene.as_ref().and(self.parameter.id.object())
     }
 
     /// Whether the page is printed without the control. In an editable scene, this is so if an
     /// earlier object has parameters with the same names: book/theme/figure.js then copies the
     /// controls of that object. Otherwise, two thirds of the page would be such copies.
-    fn is_left_to_script(&self) -> bool {
+    fn is_added_by_script(&self) -> bool {
         let parameters = &self.figure.parameters;
         let names = |object: &str| -> Vec<_> {
             let owned = parameters.iter().filter(|parameter| parameter.id.object() == Some(object));
             owned.map(|parameter| parameter.id.name()).collect()
         };
-        self.required_object().is_some_and(|object| {
+        self.object_to_choose().is_some_and(|object| {
             let mut objects = parameters.iter().filter_map(|parameter| parameter.id.object());
             objects.find(|other| names(other) == names(object)) != Some(object)
         })
@@ -124,7 +124,7 @@ impl Control<'_> {
         let Self { figure, parameter } = self;
         let handle = figure.handles.first().filter(|_| figure.editable_scene.is_some());
         let is_of_first_object =
-            self.required_object() == handle.and_then(|handle| handle.horizontal.object());
+            self.object_to_choose() == handle.and_then(|handle| handle.horizontal.object());
         (parameter.has_control)(parameter, &figure.default_values()) && is_of_first_object
     }
 
@@ -163,7 +163,7 @@ impl Control<'_> {
         };
         let hidden = if self.is_shown_at_first() { "" } else { " hidden" };
         let object = self
-            .required_object()
+            .object_to_choose()
             .map_or(String::new(), |object| format!(" data-object=\"{}\"", escape_html(object)));
         format!("<div class=\"{class}\" data-parameter=\"{id}\"{object}{hidden}>{content}</div>")
     }
@@ -216,11 +216,11 @@ mod tests {
     }
 
     #[test]
-    fn each_control_that_is_left_to_the_script_has_a_printed_control_to_copy() {
+    fn each_control_that_the_script_adds_has_a_printed_control_to_copy() {
         let figure = find_figure("own_scene").expect("the figure exists");
         let controls = figure.parameters.iter().map(|parameter| Control { figure, parameter });
-        let (left, printed): (Vec<_>, Vec<_>) = controls.partition(Control::is_left_to_script);
-        for Control { parameter, .. } in left {
+        let (added, printed): (Vec<_>, Vec<_>) = controls.partition(Control::is_added_by_script);
+        for Control { parameter, .. } in added {
             let has_same_name = |printed: &&Control| {
                 let Parameter { id, .. } = printed.parameter;
                 id.object().is_some() && id.name() == parameter.id.name()

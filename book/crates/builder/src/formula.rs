@@ -15,7 +15,7 @@ const STACK_BYTES: usize = 16 << 20;
 /// Converts a LaTeX formula to MathML. The MathML is escaped so that Markdown leaves it unchanged.
 pub fn formula_html(latex: &str, is_display: bool, values: &Values) -> ChapterResult<String> {
     let style = if is_display { MathDisplay::Block } else { MathDisplay::Inline };
-    let mathml = numbers::fill_in_formula(latex, values, |latex| convert(latex, style))?;
+    let mathml = numbers::fill_in_numbers_in_formula(latex, values, |latex| convert(latex, style))?;
     let mathml = escape_markdown(&mathml);
     Ok(if is_display {
         format!(r#"<span class="formula" tabindex="0">{mathml}</span>"#)

@@ -166,7 +166,7 @@ mod tests {
     }
 
     #[test]
-    fn ids_for_scripts_name_a_pixel_line_or_scene_of_the_page() {
+    fn ids_for_scripts_name_a_pixel_a_line_or_a_scene_of_the_page() {
         let html = "<details data-panel=\"a\"></details><figure data-live=\"own_scene\"></figure>\
                     <figure data-places=\"gate:1:2 normal:3:4\"></figure>";
         let page = Page::parse("a.html", html);

@@ -34,7 +34,7 @@ pub fn inline_html(markdown: &str, values: &Values) -> ChapterResult<String> {
     }
     let mut text = String::new();
     html::push_html(&mut text, events.into_iter());
-    numbers::fill_in_html(&text.replace('\n', " "), values)
+    numbers::fill_in_numbers_in_html(&text.replace('\n', " "), values)
 }
 
 /// Puts blank lines around HTML, so that it is a block of its own in Markdown. Without them, the

@@ -6,7 +6,7 @@ use crate::fault::{ChapterError, ChapterResult};
 use crate::values::{Notation, Values};
 
 /// Fills in directives such as `{{#value name}}` and `{{#number row:hRes}}` in the HTML of a text.
-pub fn fill_in_html(html: &str, values: &Values) -> ChapterResult<String> {
+pub fn fill_in_numbers_in_html(html: &str, values: &Values) -> ChapterResult<String> {
     replace_directives(html, |directive| number_html(directive, values))
 }
 
@@ -20,7 +20,7 @@ pub fn number_html(directive: Directive, values: &Values) -> ChapterResult<Strin
 }
 
 /// Fills in directives such as `{{#value name}}` in code.
-pub fn fill_in_code(code: &str, values: &Values) -> ChapterResult<String> {
+pub fn fill_in_values_in_code(code: &str, values: &Values) -> ChapterResult<String> {
     replace_directives(code, |directive| match directive.kind {
         DirectiveKind::Value => values.text(directive.words, Notation::Code),
         DirectiveKind::Number => Err(ChapterError::NumberInCode(directive.to_string())),
@@ -32,7 +32,7 @@ pub fn fill_in_code(code: &str, values: &Values) -> ChapterResult<String> {
 /// converts the formula with `to_mathml`. LaTeX has no notation for live numbers, so they are
 /// placeholders in the LaTeX: the texts `live0`, `live1` and so on. In the MathML, live numbers
 /// then replace these placeholders.
-pub fn fill_in_formula(
+pub fn fill_in_numbers_in_formula(
     latex: &str,
     values: &Values,
     to_mathml: impl FnOnce(&str) -> ChapterResult<String>,
@@ -74,10 +74,13 @@ mod tests {
     fn negative_value_has_a_hyphen_in_code_and_formulas() {
         let values = Values::default();
         let b = "{{#value step02_sphere:300,150:b0}}";
-        assert_eq!(fill_in_html(b, &values).expect("the value exists"), "−10");
-        assert_eq!(fill_in_code(b, &values).expect("the value exists"), "-10");
+        assert_eq!(fill_in_numbers_in_html(b, &values).expect("the value exists"), "−10");
+        assert_eq!(fill_in_values_in_code(b, &values).expect("the value exists"), "-10");
         let unchanged = |latex: &str| Ok(latex.to_owned());
-        assert_eq!(fill_in_formula(b, &values, unchanged).expect("the value exists"), "-10");
+        assert_eq!(
+            fill_in_numbers_in_formula(b, &values, unchanged).expect("the value exists"),
+            "-10"
+        );
     }
 
     #[test]
@@ -85,8 +88,8 @@ mod tests {
         let latex = "{{#number row:hRes}} {{#number row:D}} {{#number row:hRes}}";
         let to_mathml =
             |latex: &str| Ok(latex.replace("\\text{", "<mtext>").replace('}', "</mtext>"));
-        let filled =
-            fill_in_formula(latex, &Values::default(), to_mathml).expect("the numbers exist");
+        let filled = fill_in_numbers_in_formula(latex, &Values::default(), to_mathml)
+            .expect("the numbers exist");
         assert_eq!(
             filled,
             "<mn data-number=\"row:hRes\">7</mn> <mn data-number=\"row:D\">0.1925</mn> \
@@ -96,13 +99,15 @@ mod tests {
 
     #[test]
     fn live_number_missing_from_the_mathml_is_an_error() {
-        let error = fill_in_formula("{{#number row:D}}", &Values::default(), |_| Ok(String::new()));
+        let error = fill_in_numbers_in_formula("{{#number row:D}}", &Values::default(), |_| {
+            Ok(String::new())
+        });
         assert!(matches!(error, Err(ChapterError::NumberInFormula(name)) if name == "row:D"));
     }
 
     #[test]
     fn live_number_in_code_is_an_error() {
-        let error = fill_in_code("{{#number row:D}}", &Values::default())
+        let error = fill_in_values_in_code("{{#number row:D}}", &Values::default())
             .expect_err("code can't contain live numbers");
         assert!(matches!(error, ChapterError::NumberInCode(_)));
     }

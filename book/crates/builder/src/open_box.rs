@@ -22,7 +22,7 @@
 
 use crate::fault::{ChapterError, ChapterResult};
 use crate::folded_box::BoxKind;
-use crate::problem::{OpenAnswer, OpenProblem, PositionPair, ProblemHeading};
+use crate::problem::{NumberAndAnswer, OpenAnswer, OpenProblem, PositionPair};
 use crate::{note, pixel_panel};
 
 const DETAILS_END: &str = "</details>\n";
@@ -97,7 +97,7 @@ impl Boxes {
             && let Some(OpenBox::Problem(problem)) =
                 self.open.take_if(|open| matches!(open, OpenBox::Problem(_)))
         {
-            let form = problem.heading.as_ref().map(ProblemHeading::form_html);
+            let form = problem.number_and_answer.as_ref().map(NumberAndAnswer::form_html);
             self.open = Some(OpenBox::Answer(problem.begin_answer(position)));
             html.map(|html| form.unwrap_or_default() + &html)
         } else {
@@ -127,15 +127,15 @@ impl Boxes {
         if self.open.is_none() { Ok(()) } else { Err(ChapterError::ProblemInBox) }
     }
 
-    /// Opens a problem, whose first line goes from `start` to `text_start`. `heading` is None if
+    /// Opens a problem, whose first line goes from `start` to `text_start`. `number_and_answer` is None if
     /// that line is an error.
     pub fn begin_problem(
         &mut self,
-        heading: Option<ProblemHeading>,
+        number_and_answer: Option<NumberAndAnswer>,
         start: usize,
         text_start: PositionPair,
     ) {
-        self.open = Some(OpenBox::Problem(OpenProblem { heading, start, text_start }));
+        self.open = Some(OpenBox::Problem(OpenProblem { number_and_answer, start, text_start }));
     }
 
     /// The open box if it is the answer to a problem, or else None.

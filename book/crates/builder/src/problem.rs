@@ -11,20 +11,20 @@ pub const MAX_WORDS: usize = 80;
 /// The line that begins a problem, such as `{{#problem 7 0.622}}`. After this line come the text of
 /// the problem, `{{#answer}}`, the solution, and `{{#end}}`.
 #[derive(Clone, Debug, PartialEq)]
-pub struct ProblemHeading {
+pub struct NumberAndAnswer {
     /// The number of the problem, such as 7.
     pub number: String,
     /// The answer as the author wrote it, such as 1,543,680.
     pub answer: String,
 }
 
-impl ProblemHeading {
+impl NumberAndAnswer {
     /// Parses the words in `{{#problem …}}`.
     pub fn parse(words: &str) -> ChapterResult<Self> {
         let (number, answer) = words.split_once(' ').ok_or(ChapterError::ProblemForm)?;
-        let heading = Self { number: number.to_owned(), answer: answer.to_owned() };
-        let is_number = heading.answer_without_commas().parse::<f64>().is_ok();
-        if is_number { Ok(heading) } else { Err(ChapterError::ProblemForm) }
+        let number_and_answer = Self { number: number.to_owned(), answer: answer.to_owned() };
+        let is_number = number_and_answer.answer_without_commas().parse::<f64>().is_ok();
+        if is_number { Ok(number_and_answer) } else { Err(ChapterError::ProblemForm) }
     }
 
     /// The answer without its thousands separators, so that it can be parsed.
@@ -60,7 +60,7 @@ impl ProblemHeading {
 /// A problem in a chapter.
 #[derive(Clone, Debug)]
 pub struct Problem {
-    pub heading: ProblemHeading,
+    pub number_and_answer: NumberAndAnswer,
     /// The expanded text of the problem.
     pub text: String,
     /// The first bold words in the expanded answer, including the asterisks.
@@ -77,8 +77,8 @@ pub struct PositionPair {
 /// A problem whose answer hasn't begun yet.
 #[derive(Debug)]
 pub struct OpenProblem {
-    /// The heading, or None if the first line is an error.
-    pub heading: Option<ProblemHeading>,
+    /// The number_and_answer, or None if the first line is an error.
+    pub number_and_answer: Option<NumberAndAnswer>,
     /// The start of the first line.
     pub start: usize,
     /// The end of the first line, where the text of the problem begins.
@@ -117,7 +117,7 @@ impl OpenAnswer {
     /// line is an error, which has already been reported.
     pub fn finish(self, text: &str, expanded: &str) -> Option<ChapterResult<Problem>> {
         let (start, end) = (self.problem.text_start, self.start);
-        let heading = self.problem.heading?;
+        let number_and_answer = self.problem.number_and_answer?;
         let words = text[start.in_text..end.in_text].split_whitespace();
         if words.count() > MAX_WORDS {
             return Some(Err(ChapterError::LongProblem(MAX_WORDS)));
@@ -126,7 +126,7 @@ impl OpenAnswer {
         let result =
             bold_words.map_or("", |(start, end)| &expanded[start.in_expanded..end.in_expanded]);
         Some(Ok(Problem {
-            heading,
+            number_and_answer,
             text: expanded[start.in_expanded..end.in_expanded].trim().to_owned(),
             result: result.to_owned(),
         }))
@@ -143,11 +143,11 @@ pub fn sheet_markdown(
     let (mut problems, mut answers) = (String::new(), String::new());
     for (title, chapter) in chapters.iter().filter(|(_, problems)| !problems.is_empty()) {
         problems += &format!("## {}\n\n", title.trim_end_matches(": practice"));
-        for Problem { heading, text, result, .. } in chapter {
-            problems += &html_block(&heading.opening_html());
-            let end = heading.form_html() + "</section>";
+        for Problem { number_and_answer, text, result, .. } in chapter {
+            problems += &html_block(&number_and_answer.opening_html());
+            let end = number_and_answer.form_html() + "</section>";
             problems += &format!("{text}\n{}", html_block(&end));
-            let number = &heading.number;
+            let number = &number_and_answer.number;
             let link = format!("<a href=\"#problem-{number}\">{number}</a>");
             answers += &html_block(&format!("<div class=\"answer\">{link}"));
             answers += &format!("{result}\n{}", html_block("</div>"));
@@ -163,12 +163,15 @@ mod tests {
     use super::*;
 
     #[test]
-    fn problem_heading_is_a_number_and_a_numeric_answer() {
-        let heading = ProblemHeading::parse("8 1,234").expect("the heading is valid");
-        assert_eq!(heading, ProblemHeading { number: "8".to_owned(), answer: "1,234".to_owned() });
+    fn problem_needs_a_number_and_a_numeric_answer() {
+        let number_and_answer = NumberAndAnswer::parse("8 1,234").expect("the words are valid");
+        assert_eq!(
+            number_and_answer,
+            NumberAndAnswer { number: "8".to_owned(), answer: "1,234".to_owned() }
+        );
         for words in ["", "7", "7 lens", "7 0.5 m"] {
             assert!(
-                matches!(ProblemHeading::parse(words), Err(ChapterError::ProblemForm)),
+                matches!(NumberAndAnswer::parse(words), Err(ChapterError::ProblemForm)),
                 "{words}"
             );
         }
@@ -177,7 +180,7 @@ mod tests {
     #[test]
     fn whole_number_answer_has_no_tolerance() {
         let html =
-            |words| ProblemHeading::parse(words).expect("the heading is valid").opening_html();
+            |words| NumberAndAnswer::parse(words).expect("the words are valid").opening_html();
         assert!(html("8 1,234").contains("data-answer=\"1234\" data-tolerance=\"0\""));
         assert!(html("7 0.5").contains("data-answer=\"0.5\" data-tolerance=\"0.01\""));
     }

@@ -107,18 +107,18 @@ fn the_sheet_has_the_problems_of_all_chapters_and_then_their_answers() {
 }
 
 #[test]
-fn problems_are_numbered_in_order_and_their_bold_answers_match_their_headings() {
+fn problems_are_numbered_in_order_and_their_bold_answers_match_their_first_lines() {
     let files = Files::read(&workspace().join("book/src")).expect("the chapters can be read");
     let summary = files.text("SUMMARY.md").expect("SUMMARY.md exists");
     let names = summary.split(['(', ')']).filter(|name| name.ends_with(".md"));
     let chapters = names.filter_map(|name| files.text(name));
     let problems: Vec<_> = chapters.flat_map(|text| expand(text).problems).collect();
     for (number, problem) in (1..).zip(&problems) {
-        let Problem { heading, text, result } = problem;
-        assert_eq!(heading.number, number.to_string(), "{text}");
-        // The sheet gives the bold words as the answer, so they have to match the heading.
+        let Problem { number_and_answer, text, result } = problem;
+        assert_eq!(number_and_answer.number, number.to_string(), "{text}");
+        // The sheet gives the bold words as the answer, so they have to match the number_and_answer.
         let bold = result.trim_matches('*').trim_end_matches(['.', '°', '%']).trim_end();
-        assert_eq!(heading.answer, bold, "{text}");
+        assert_eq!(number_and_answer.answer, bold, "{text}");
     }
     assert!(problems.len() > 10);
 }
