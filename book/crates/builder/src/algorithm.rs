@@ -1,5 +1,5 @@
-//! Algorithms in words, from code fences marked `algorithm`. A line may end with the name of the
-//! step that implements the line, such as `step 1`.
+//! Algorithms in words, from code fences marked `algorithm`. A line may end with the name, such as
+//! `step 1`, of the step that implements the line.
 
 use course::escape_html;
 
@@ -14,8 +14,8 @@ pub fn algorithm_html(text: &str) -> String {
     format!("<pre class=\"algorithm\"><code>{}</code></pre>\n", lines.collect::<String>())
 }
 
-/// Splits a line before the spaces in front of the name of a step. Returns None if the line doesn't
-/// end with the name of a step.
+/// Splits a line that ends with the name of a step. The second part consists of that name and the
+/// spaces before the name. Returns None for any other line.
 fn split_before_step_name(line: &str) -> Option<(&str, &str)> {
     let (words, _) = line.rsplit_once("  ")?;
     let words = words.trim_end();

@@ -33,9 +33,9 @@ pub fn build(workspace: &Path, folder: &Path) -> Result<Site> {
     Ok(site)
 }
 
-/// Opens the lock file without changing its contents, or creates it. Returns an error if anything
-/// but a regular file is at this path. Even a symbolic link is an error, because it could lead to a
-/// file in another folder.
+/// Opens the lock file without changing its contents, or creates the file. Returns an error if
+/// anything but a regular file is at this path. Even a symbolic link is an error, because the link
+/// could lead to a file in another folder.
 fn open_lock(path: &Path) -> Result<File> {
     let is_other = fs::symlink_metadata(path).is_ok_and(|metadata| !metadata.is_file());
     ensure!(!is_other, "{} isn't a regular file; remove it", path.display());
@@ -43,15 +43,15 @@ fn open_lock(path: &Path) -> Result<File> {
     lock.with_context(|| format!("{} can't be opened", path.display()))
 }
 
-/// Returns the paths to which the old version of a folder may be moved. They are beside the folder.
-/// There are several: while a program has an older version open, that version can't be removed, and
+/// Returns the paths to which the old version of a folder may be moved. The paths are beside the
+/// folder. There are several, because an old version that a program has open can't be removed, and
 /// its path stays taken.
 fn old_version_paths(folder: &Path) -> impl Iterator<Item = PathBuf> {
     (1..=9).map(|number| folder.with_extension(format!("old{number}")))
 }
 
-/// If a killed build has moved a folder aside, moves it back. Removes all other old versions of the
-/// folder.
+/// If a killed build has moved a folder aside, moves the folder back. Removes all other old
+/// versions of the folder.
 fn restore_folder_and_remove_old_versions(folder: &Path) -> Result<()> {
     for old_version in old_version_paths(folder).filter(|path| path.exists()) {
         if folder.exists() {
@@ -70,7 +70,8 @@ fn replace_folder(draft: &Path, folder: &Path) -> io::Result<()> {
         return fs::rename(draft, folder);
     }
     let free = old_version_paths(folder).find(|path| !path.exists());
-    let old_version = free.ok_or_else(|| io::Error::other("too many old copies are beside it"))?;
+    let old_version =
+        free.ok_or_else(|| io::Error::other("there are too many old versions beside it"))?;
     fs::rename(folder, &old_version)?;
     if let Err(error) = fs::rename(draft, folder) {
         let _ = fs::rename(&old_version, folder);
@@ -81,8 +82,8 @@ fn replace_folder(draft: &Path, folder: &Path) -> io::Result<()> {
     Ok(())
 }
 
-/// Writes all pages into `folder`, and checks them. A fault in a chapter stops the build before any
-/// page is written. Links and tags are checked once all pages exist.
+/// Writes all pages into `folder`, and checks the pages. A fault in a chapter stops the build
+/// before any page is written. Links and tags are checked once all pages exist.
 fn write_and_check_pages(workspace: &Path, folder: &Path) -> Result<Site> {
     let sources = Arc::new(Sources::read(workspace)?);
     let mut book = MDBook::load(workspace.join("book")).context("the book can't be loaded")?;
@@ -116,8 +117,9 @@ fn postprocess_pages(files: &Files) -> Result<Vec<(String, String)>> {
     pages.collect()
 }
 
-/// Repairs the part titles in the table of contents. mdBook wraps each title in two list items, one
-/// directly inside the other. HTML doesn't allow that, so only the inner list item is kept.
+/// Repairs the titles of the book's parts in the table of contents. mdBook wraps each title in two
+/// list items, one directly inside the other. HTML doesn't allow such nesting, so only the inner
+/// list item is kept.
 fn unwrap_part_titles(html: &str) -> Result<String, MissingEnd> {
     let begin = "<li class=\"chapter-item expanded \"><li class=\"part-title\">";
     replace_between(html, begin, "</li></li>", |title| {

@@ -80,14 +80,14 @@ struct Chapter<'a> {
     text: &'a str,
     sources: &'a Sources,
     source_location_markdown: &'a str,
-    /// The result so far. It covers the text up to the position `expanded_end`.
+    /// The result so far: the expansion of the text up to the position `expanded_end`.
     expanded: ExpandedChapter,
     expanded_end: usize,
     /// The ids of the listings so far.
     listings: Vec<String>,
     /// How the next picture is loaded.
     loading: LoadingTime,
-    /// The blocks that have notes. Each range of the text covers a block and its notes.
+    /// The blocks that have notes. Each range covers a block and its notes.
     noted_blocks: Vec<Range<usize>>,
     boxes: Boxes,
 }
@@ -96,7 +96,7 @@ type Events<'a> = [(Event<'a>, Range<usize>)];
 
 /// What to do with the part of a chapter that an event is about.
 enum Expansion {
-    /// Copy the part. The events inside it may still expand smaller parts.
+    /// Copy the part. The events inside the part may still expand smaller parts.
     Keep,
     /// Replace the part with this Markdown.
     Replace(String),
@@ -148,8 +148,8 @@ impl<'a> Chapter<'a> {
         }
     }
 
-    /// Expands the whole chapter, from top to bottom. Adds a fault for each error, and then for
-    /// each panel or `{{#end}}` that is missing.
+    /// Expands the whole chapter, from top to bottom. Adds a fault for each error. Then adds a
+    /// fault for each panel or `{{#end}}` that is missing.
     fn expand_events(&mut self) {
         let mut nesting = 0;
         let parser = Parser::new_ext(self.text, markdown::markdown_options());
@@ -185,8 +185,8 @@ impl<'a> Chapter<'a> {
         }
     }
 
-    /// Whether the block that begins at this position has notes. If so, it is already in a wrapper,
-    /// which `open_wrapper_if_block_has_notes` has opened.
+    /// Whether the block that begins at this position has notes. `open_wrapper_if_block_has_notes`
+    /// opens a wrapper around each such block.
     fn block_has_notes(&self, block_start: usize) -> bool {
         self.noted_blocks.iter().any(|block| block.start == block_start)
     }
@@ -201,8 +201,8 @@ impl<'a> Chapter<'a> {
     }
 
     /// Returns a block in a wrapper, so that a tool, such as the line editor, can open beside the
-    /// block in the margin. A block with notes is returned unchanged, because it already has a
-    /// wrapper.
+    /// block in the margin. A block with notes is returned unchanged, because such a block already
+    /// has a wrapper.
     fn wrap_unless_block_has_notes(&self, block: String, block_start: usize) -> String {
         if self.block_has_notes(block_start) {
             block
@@ -211,8 +211,8 @@ impl<'a> Chapter<'a> {
         }
     }
 
-    /// Returns `note_html`. If the note is the last note of its block, the HTML that closes the
-    /// wrapper follows. Returns an error if there is no block for the note.
+    /// Returns `note_html`. If the note is the last note of its block, adds the HTML that closes
+    /// the wrapper of the block. Returns an error if the note doesn't follow a block.
     fn close_wrapper_after_last_note(
         &self,
         note_html: ChapterResult<String>,
@@ -292,8 +292,8 @@ impl<'a> Chapter<'a> {
         }))
     }
 
-    /// Finds the first unescaped $ in `source`, and adds a fault for it. `source` is text or HTML,
-    /// and begins at the position `start`.
+    /// Finds the first unescaped $ in `source`, and adds a fault for that $. `source` is text or
+    /// HTML from the chapter, and begins at the position `start`.
     fn report_first_unescaped_dollar(&mut self, source: &str, start: usize) {
         let mut positions = source.match_indices('$').map(|(index, _)| start + index);
         if let Some(position) = positions.find(|k| !self.text[..*k].ends_with('\\')) {
@@ -303,7 +303,7 @@ impl<'a> Chapter<'a> {
 
     /// Expands a code block. An `include` becomes a listing, and the fences `console` and
     /// `algorithm` become HTML. Rust or TOML that is typed directly into a chapter is a fault,
-    /// since nothing would compile it.
+    /// since nothing would verify that such code works.
     fn expand_code_block(
         &mut self,
         kind: &CodeBlockKind,
@@ -378,8 +378,8 @@ impl<'a> Chapter<'a> {
                 self.boxes.begin_folded_box(kind, position, html)?
             }
             // The next event is the text of this paragraph. When that text is expanded, `value`,
-            // `number` and `our-folder` are filled in, since they are allowed in any text. The
-            // other directives are reported as misplaced.
+            // `number` and `our-folder` are filled in, since they are allowed in any text.
+            // `include`, `live`, `preview` and `rows` are reported as misplaced.
             DirectiveKind::Value
             | DirectiveKind::Number
             | DirectiveKind::OurFolder
@@ -390,7 +390,7 @@ impl<'a> Chapter<'a> {
         }))
     }
 
-    /// Expands the first line of a problem, and opens the problem.
+    /// Expands the first line of a problem, and makes the problem the open box.
     fn begin_problem(&mut self, words: &str, range: &Range<usize>) {
         let (number_and_answer, html) = match NumberAndAnswer::parse(words) {
             Ok(number_and_answer) => {
@@ -404,7 +404,8 @@ impl<'a> Chapter<'a> {
         self.boxes.begin_problem(number_and_answer, range.start, text_start);
     }
 
-    /// Expands `{{#end}}`. If this ends a problem, adds the problem to the chapter's problems.
+    /// Expands `{{#end}}`. If the directive ends a problem, adds that problem to the chapter's
+    /// problems.
     fn expand_end(&mut self) -> ChapterResult<String> {
         let (html, answer) = self.boxes.end_box()?;
         if let Some(answer) = answer {
@@ -418,9 +419,9 @@ impl<'a> Chapter<'a> {
         Ok(html)
     }
 
-    /// Expands a paragraph if it consists of nothing but pictures. The pictures may be followed by
-    /// a directive that makes them interactive, such as `{{#live own_scene}}` or
-    /// `{{#preview own_scene}}`.
+    /// Expands a paragraph of pictures. After the pictures, the paragraph may contain a directive
+    /// that makes them interactive: `{{#live own_scene}}` or `{{#preview own_scene}}`, for example.
+    /// A paragraph that contains anything else is kept.
     fn expand_pictures_alone(
         &mut self,
         events: &Events,
@@ -485,7 +486,8 @@ struct ChapterPicture<'a> {
     caption: &'a str,
 }
 
-/// Returns the interaction that a directive, `live` or `preview`, gives to the picture before it.
+/// Returns the interaction that a `live` or `preview` directive gives to the pictures before the
+/// directive.
 fn find_interaction(directive: Directive) -> ChapterResult<Interaction<'static>> {
     let Directive { kind, words } = directive;
     let figure = figures::find_figure(words)
@@ -494,7 +496,7 @@ fn find_interaction(directive: Directive) -> ChapterResult<Interaction<'static>>
     Ok(make(figure))
 }
 
-/// Whether a piece of code is a name that may be broken between two lines, such as `Ray::at`.
+/// Whether a piece of code is a name, such as `Ray::at`, that may be broken between two lines.
 fn is_breakable_name(code: &str) -> bool {
     let in_name = |c: char| c.is_ascii_alphanumeric() || "_:/.-".contains(c);
     code.chars().all(in_name) && code.contains(['_', ':', '/'])

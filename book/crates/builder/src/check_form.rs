@@ -8,8 +8,8 @@ use crate::fault::{ChapterError, ChapterResult};
 const ANY_PICTURE: &str = "*";
 
 /// Returns the HTML for `{{#check name}}`: a form in which a reader drops a picture to learn
-/// whether it is right. If `picture_name` is empty, the form accepts any picture, and the name of
-/// the reader's file says which picture it should be.
+/// whether that picture is right. If `picture_name` is empty, the form accepts any picture, and the
+/// name of the reader's file says which picture the file should contain.
 ///
 /// The HTML hides the form, since it doesn't work without scripts. If scripts are enabled,
 /// book/theme/css/live.css shows the form from the start.

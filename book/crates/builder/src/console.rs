@@ -4,13 +4,13 @@ use crate::fault::{ChapterError, ChapterResult};
 use crate::markdown::html_block;
 use course::escape_html;
 
-/// The kinds of consoles. They differ in the folder that the commands are for, and in whether the
+/// The kinds of consoles. Kinds differ in the folder that the commands are for, and in whether the
 /// commands succeed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ConsoleKind {
     /// The commands are for our folder.
     Ours,
-    /// The commands are for the reader's folder, and they succeed.
+    /// The commands are for the reader's folder, and succeed.
     Yours,
     /// The commands are for the reader's folder, and the program refuses its arguments.
     Refused,
@@ -57,7 +57,8 @@ pub fn console_markdown(fence_words: &str, commands: &str) -> ChapterResult<Stri
         ConsoleKind::Yours | ConsoleKind::Refused | ConsoleKind::Fails => "",
     };
     let folder = kind.data_folder();
-    // The prompt gets its own element, so that the stylesheet can keep it from being copied.
+    // The prompt gets its own element, so that the stylesheet can keep the prompt from being
+    // copied.
     let commands = format!("\n{}", escape_html(commands)).replace("\n$ ", "\n<span>$ </span>");
     let opening = format!(
         "<figure class=\"console\" aria-label=\"Commands\" data-folder=\"{folder}\">{caption}"

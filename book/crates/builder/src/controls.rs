@@ -14,13 +14,14 @@ const SCENE_HINT: &str = "<span class=\"hint\">Drag a ball, and the code of step
 
 const RESET: &str = "<button type=\"button\" class=\"reset\" disabled>Reset</button>";
 
-/// Returns the HTML of the controls below a figure, one for each parameter. If a handle sets a
-/// parameter, the control is a number field in a folded box. In an editable scene, no control is
-/// folded. Instead the reader chooses an object, and the page shows only the controls for that
-/// object.
+/// Returns the HTML of the controls below a figure, with one control for each parameter. If a
+/// handle sets a parameter, the parameter's control is a number field in a folded box. In an
+/// editable scene, no control is folded. Instead the reader chooses an object, and the page shows
+/// only the controls for that object.
 ///
 /// The HTML hides the controls, since they don't work without scripts. If scripts are enabled,
-/// book/theme/css/live.css shows the controls from the start. They work once the module has loaded.
+/// book/theme/css/live.css shows the controls from the start. The controls work once the module has
+/// loaded.
 pub fn controls_html(figure: &Figure) -> String {
     let (mut folded, mut above, mut below) = (vec![], String::new(), String::new());
     for parameter in &figure.parameters {
@@ -56,8 +57,8 @@ pub fn controls_html(figure: &Figure) -> String {
     format!("<div class=\"controls{tool}\" hidden>{hint}{content}</div>")
 }
 
-/// Returns the HTML of the hint below a preview, which is a picture that becomes interactive when
-/// the reader touches it.
+/// Returns the HTML of the hint below a preview. A preview is a picture that becomes interactive at
+/// the reader's first touch.
 pub fn preview_hint_html(figure: &Figure) -> String {
     let hint = if figure.editable_scene.is_some() { SCENE_HINT } else { HINT };
     format!("<div class=\"controls\" hidden>{hint}</div>")
@@ -88,8 +89,9 @@ struct Control<'a> {
 }
 
 impl Control<'_> {
-    /// Whether the control is a folded number field. This is so if a handle sets the parameter, or
-    /// sets another coordinate of the same object. In an editable scene, no control is folded.
+    /// Whether the control is a folded number field. A control is folded if a handle sets its
+    /// parameter, or sets another coordinate of the same object. In an editable scene, no control
+    /// is folded.
     fn is_folded(&self) -> bool {
         let Self { figure, parameter } = self;
         let is_moved =
@@ -98,14 +100,15 @@ impl Control<'_> {
     }
 
     /// The object that the reader has to choose before the page shows this control. Returns None if
-    /// the control doesn't depend on that choice.
+    /// the control doesn't depend on the choice of an object.
     fn object_to_choose(&self) -> Option<&'static str> {
         self.figure.editable_scene.as_ref().and(self.parameter.id.object())
     }
 
-    /// Whether the page is printed without the control. In an editable scene, this is so if an
-    /// earlier object has parameters with the same names: book/theme/figure.js then copies the
-    /// controls of that object. Otherwise, two thirds of the page would be such copies.
+    /// Whether the HTML leaves the control out, for a script to add. In an editable scene, the HTML
+    /// leaves out the controls of an object if an earlier object has parameters with the same
+    /// names. book/theme/figure.js then copies the controls of that earlier object. If the HTML
+    /// contained all controls, two thirds of the page would be such copies.
     fn is_added_by_script(&self) -> bool {
         let parameters = &self.figure.parameters;
         let names = |object: &str| -> Vec<_> {
@@ -137,8 +140,8 @@ impl Control<'_> {
         let name = escape_html(format!("{symbol} {label}").trim());
         let slider =
             format!("<input type=\"range\" {range} value=\"{default}\" aria-label=\"{name}\">");
-        // book/theme/figure.js turns this into a text field. The field has no limits and no step,
-        // because the module knows them.
+        // book/theme/figure.js turns this number field into a text field. The HTML of the field has
+        // no limits and no step, because the module knows the limits and the step.
         let number = format!("<input type=\"number\" aria-label=\"{name}\" value=\"{default}\">");
         let label_element = label_html(symbol, label);
         let (class, content) = match self.parameter.kind {
@@ -239,7 +242,7 @@ mod tests {
         let html = controls_html(find_figure("three-cases").expect("the figure exists"));
         assert_eq!(html.matches("<div class=\"row\">").count(), 3);
         assert!(html.contains("<span>the start of the left ray</span>"));
-        // A parameter of the figure as a whole has a row of its own.
+        // A parameter that belongs to no object has a row of its own.
         let html = controls_html(find_figure("frustum").expect("the figure exists"));
         for label in ["near plane", "far plane"] {
             assert!(html.contains(&format!("<div class=\"row\"><span>{label}</span>")), "{html}");

@@ -1,4 +1,4 @@
-//! Directives of the form `{{#kind words}}`. No other file parses them.
+//! Directives of the form `{{#kind words}}`. Only this file parses directives.
 
 use crate::fault::{ChapterError, ChapterResult};
 use crate::folded_box::BoxKind;
@@ -11,7 +11,7 @@ use std::fmt::{self, Display, Formatter};
 pub struct Directive<'a> {
     /// The kind, such as `figure`.
     pub kind: DirectiveKind,
-    /// The words after the kind, such as `ray`. They may contain further directives, as in
+    /// The words after the kind, such as `ray`. The words may contain further directives, as in
     /// `{{#predict Why {{#value row:D}}?}}`.
     pub words: &'a str,
 }
@@ -38,7 +38,7 @@ pub enum DirectiveKind {
 }
 
 impl DirectiveKind {
-    /// All kinds.
+    /// All kinds of directives.
     pub const ALL: [Self; 21] = [
         Self::Include,
         Self::Value,
@@ -63,7 +63,7 @@ impl DirectiveKind {
         Self::Note(NoteKind::ByHand),
     ];
 
-    /// The name of this kind in a chapter.
+    /// The word for this kind in a directive, such as `pixel-panel`.
     pub fn name(self) -> &'static str {
         match self {
             Self::Include => "include",
@@ -114,7 +114,7 @@ impl Display for Directive<'_> {
     }
 }
 
-/// Replaces each directive in a text with what `replacement` returns for it.
+/// Replaces each directive in a text with what `replacement` returns for that directive.
 pub fn replace_directives(
     text: &str,
     mut replacement: impl FnMut(Directive) -> ChapterResult<String>,

@@ -81,7 +81,7 @@ pub enum ChapterError {
     NumberInCode(String),
     #[error("a formula has at most {0} commands and braces")]
     LongFormula(usize),
-    /// A formula that can't be parsed. `source` says why. It is None if the parser panicked.
+    /// A formula that can't be parsed. `source` says why, or is None if the parser panicked.
     #[error("the formula {latex} can't be parsed")]
     Formula { latex: String, source: Option<Box<LatexError>> },
 
@@ -123,13 +123,14 @@ pub enum ChapterError {
 /// The result of expanding part of a chapter.
 pub type ChapterResult<T> = Result<T, ChapterError>;
 
-/// The error that stops a build. It holds all faults in the book, one sentence each.
+/// The error that stops a build. This error lists all faults in the book, with one sentence for
+/// each fault.
 #[derive(Debug, Error)]
 #[error("{}\nThe book was not built.", .0.join("\n"))]
 pub struct Faults(Vec<String>);
 
 impl Faults {
-    /// Returns an error with all these faults, or Ok if there are none.
+    /// Returns an error that lists all these faults, or Ok if `faults` is empty.
     pub fn ensure_none(faults: impl IntoIterator<Item = impl Display>) -> Result<(), Self> {
         let sentences: Vec<_> = faults.into_iter().map(|fault| fault.to_string()).collect();
         if sentences.is_empty() { Ok(()) } else { Err(Self(sentences)) }

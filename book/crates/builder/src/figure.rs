@@ -6,7 +6,8 @@ use crate::markdown::inline_html;
 use crate::values::Values;
 use figures::{Content, find_figure};
 
-/// Returns the HTML of the drawing called `name`, with its caption and its controls, if it has any.
+/// Returns the HTML of the drawing called `name`, with its caption. A drawing that has parameters
+/// of its own also gets controls.
 pub fn drawing_html(name: &str, values: &Values) -> ChapterResult<String> {
     let unknown = || ChapterError::UnknownFigure(name.to_owned());
     let figure = find_figure(name).ok_or_else(unknown)?;

@@ -23,9 +23,9 @@ pub fn svg_files_of_drawings(workspace: &Path) -> Result<Vec<(String, Vec<u8>)>>
     Ok(files.collect())
 }
 
-/// Returns the CSS rules that begin with `.drawing `, and removes that class from them. Replaces
+/// Returns the CSS rules in `stylesheet` that begin with `.drawing `, without that class. Replaces
 /// CSS variables with their values in the light theme, since few programs other than browsers
-/// support variables.
+/// support CSS variables.
 fn drawing_rules_without_variables(stylesheet: &str, variables: &str) -> String {
     let rules = stylesheet.lines().filter(|rule| rule.starts_with(".drawing "));
     let mut style: String = rules.map(|rule| rule.replace(".drawing ", "")).collect();

@@ -9,7 +9,8 @@ use std::path::Path;
 /// The folder of the chapters, relative to the root of the workspace.
 pub const CHAPTERS: &str = "book/src/";
 
-/// Resolves `path` relative to `base`. A `base` that ends in `/` is a folder. Any other is a file.
+/// Resolves `path` relative to `base`. A `base` that ends in `/` is a folder. Any other `base` is a
+/// file, and `path` is relative to the folder of that file.
 pub fn resolve_path(base: &str, path: &str) -> String {
     let mut parts: Vec<&str> = base.split('/').collect();
     parts.pop();
@@ -47,7 +48,7 @@ impl Files {
     }
 
     /// Makes `folder` contain these files and no others. Leaves up-to-date files alone, because
-    /// rewriting one would make `mdbook serve` rebuild the book.
+    /// rewriting such a file would make `mdbook serve` rebuild the book.
     pub fn sync_to(&self, folder: &Path) -> Result<()> {
         fs::create_dir_all(folder)
             .with_context(|| format!("{} can't be created", folder.display()))?;
@@ -63,7 +64,7 @@ impl Files {
         Ok(())
     }
 
-    /// The text of the file at `path`, or None if there is no such file or it isn't UTF-8.
+    /// The text of the file at `path`, or None if there is no such file or the file isn't UTF-8.
     pub fn text(&self, path: &str) -> Option<&str> {
         str::from_utf8(self.0.get(path)?).ok()
     }

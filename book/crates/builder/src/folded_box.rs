@@ -14,7 +14,7 @@ pub enum BoxKind {
 }
 
 impl BoxKind {
-    /// The name of the directive, which is also the class of the box.
+    /// The name of the directive, which is also the CSS class of the box.
     pub fn name(self) -> &'static str {
         match self {
             Self::Predict => "predict",

@@ -6,8 +6,8 @@ use crate::values::Values;
 use math_core::{LatexToMathML, MathDisplay};
 use std::thread;
 
-/// The maximum number of commands and braces in a formula. The parser uses up to 60 kB of stack for
-/// each level of nesting.
+/// The maximum number of commands and braces in a formula. Each of them can add a level of nesting,
+/// and the parser uses up to 60 kB of stack for each level.
 const MAX_MARKS: usize = 100;
 /// The stack size of the thread that parses a formula.
 const STACK_BYTES: usize = 16 << 20;
@@ -55,8 +55,7 @@ fn align_subscripts(mut mathml: String) -> String {
     mathml
 }
 
-/// In the text between the tags of `mathml`, escapes the characters that Markdown would read as
-/// markup.
+/// Outside the tags of `mathml`, escapes the characters that Markdown would read as markup.
 fn escape_markdown(mathml: &str) -> String {
     let mut escaped = String::with_capacity(mathml.len());
     let mut in_tag = false;

@@ -14,10 +14,11 @@ pub enum StylesheetError {
     UnknownFile(String),
 }
 
-/// Replaces each link to a stylesheet in the `html` of a page with the text of that stylesheet, so
+/// In the `html` of a page, replaces each link to a stylesheet with the text of that stylesheet, so
 /// that a browser can show the page without waiting for further files. `files` contains the
-/// stylesheets. Their comments are left out, since each page would repeat them. An address in a
-/// stylesheet is relative to the stylesheet, so it is rewritten to be relative to the page.
+/// stylesheets. Comments in a stylesheet are left out, since each page would repeat them. Addresses
+/// in a stylesheet are relative to the stylesheet, so the addresses are rewritten to be relative to
+/// the page.
 pub fn inline_stylesheets(html: &str, files: &Files) -> Result<String, StylesheetError> {
     replace_between(html, "<link rel=\"stylesheet\" href=\"", "\">", |path| {
         let css = files.text(path).ok_or_else(|| StylesheetError::UnknownFile(path.to_owned()))?;

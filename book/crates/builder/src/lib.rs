@@ -3,34 +3,35 @@
 //! `Sources` gives access to everything that the chapters show: the files in the workspace, the
 //! pictures and scripts in `generated/`, and the computed values. `ChapterPreprocessor` is the
 //! mdBook preprocessor that expands the chapters, both for `mdbook serve` and for `cargo run`.
-//! `build` calls mdBook to write the pages. It then copies the stylesheets into them, and writes
-//! the search index. Finally it checks every link, and checks that the tags on every page are
-//! nested as HTML requires.
+//! `build` calls mdBook to write the pages. Then it copies the stylesheets into the pages, and
+//! writes the search index. Finally it checks every link, and checks that the tags on every page
+//! are nested as HTML requires.
 //!
 //! A chapter is Markdown with *directives* of the form `{{#kind words}}`. Most directives need a
 //! paragraph of their own, but `value`, `number` and `our-folder` may be part of a sentence. The
 //! directives, and the code fences that the builder expands, are:
 //!
-//! - A *listing* is a code fence with a single `include` of a file or part of a file. In it, the
-//!   places that a reader may edit (`course::Place`) are marked. A listing in a fence
+//! - A *listing* is a code fence with a single `include` of a file or part of a file. In a listing,
+//!   the places that a reader may edit (`course::Place`) are marked. A listing in a fence
 //!   `rust,own_scene` belongs to the editable scene `own_scene`: when the reader changes the scene,
 //!   the page updates the listing.
 //! - A *console* is a code fence with commands. The commands in `console,ours` are for our folder
-//!   (the workspace of this book). Those in `console,yours` are for the reader's own folder. In
-//!   `console,yours,refused`, the program is meant to refuse its arguments, and in
-//!   `console,yours,fails`, a test is meant to fail. Our tests verify that this happens.
+//!   (the workspace of this book). The commands in `console,yours` are for the reader's own folder.
+//!   In `console,yours,refused`, the program is meant to refuse its arguments, and in
+//!   `console,yours,fails`, a test is meant to fail. Our tests verify that the program or the test
+//!   really fails.
 //! - A *value* is computed by the code of the steps when the book is built. A *number* belongs to
-//!   an interactive figure: the page updates it when the reader changes that figure.
+//!   an interactive figure: the page updates the number when the reader changes that figure.
 //! - A *figure* is a drawing from the crate `figures`. A *picture* is a PNG file in `generated/`. A
-//!   picture that is followed by `live` is interactive, and its *controls* set its parameters. A
-//!   picture that is followed by `preview` has no controls, and only becomes interactive when the
-//!   reader touches it.
+//!   picture that is followed by `live` is interactive, and the *controls* of the picture set its
+//!   parameters. A picture that is followed by `preview` has no controls, and only becomes
+//!   interactive at the reader's first touch.
 //! - `pixel-panel` and `end` enclose the box *This pixel* below an interactive picture. The picture
 //!   has a *probe*, the handle that selects a pixel. The text in the box follows the computation of
 //!   the selected pixel from its ray to its three bytes, with a `number` for each intermediate
 //!   result. In a table in the box, `rows` becomes one row for each sphere, or one row for each ray
 //!   if there are mirrors. The words after `rows` are the picture's name and the columns.
-//! - A *box* begins with `predict`, `hints`, `aside` or `answer`, and goes up to `end`. It is
+//! - A *box* begins with `predict`, `hints`, `aside` or `answer`, and goes up to `end`. The box is
 //!   folded until the reader opens it.
 //! - A `problem` is for the reader to solve on paper. Its answer is a number, and its box `answer`
 //!   shows how to find this number. `problem-sheet` repeats the problems from all chapters.
@@ -39,8 +40,8 @@
 //! - A `note` is a remark of one paragraph, such as some history or an opinion. Bold words at its
 //!   beginning are its label. `rust` is a note that explains some Rust that a beginner won't know
 //!   yet. `by-hand` is a note that names a test. This test verifies the numbers that the text above
-//!   works out by hand. In a chapter, a note follows the block that it belongs to. On the page, it
-//!   is beside that block in the margin if there is room.
+//!   works out by hand. In a chapter, a note follows the block that it belongs to. On the page, the
+//!   note is in the margin beside that block. In a narrow window, the note follows the block.
 //! - `our-folder` becomes words that say where the book's source is.
 //!
 //! A *fault* is an error on a line of a chapter, for the author to fix. The build reports all

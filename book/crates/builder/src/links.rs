@@ -1,5 +1,5 @@
-//! Checks that every link, anchor and picture leads to something in the book, and that nothing is
-//! fetched from elsewhere.
+//! Checks that every address within the book leads to a file or anchor that exists, and that the
+//! pages fetch nothing from outside the book.
 
 use crate::files::resolve_path;
 use crate::page::Element;
@@ -8,7 +8,7 @@ use figures::{find_figure, parse_address};
 use std::collections::BTreeSet;
 use thiserror::Error;
 
-/// An address on a page that leads nowhere, or that would be fetched from outside the book.
+/// An address that leads nowhere, or that would be fetched from outside the book.
 #[derive(Debug, Error)]
 #[error("{location}: {error}")]
 pub struct LinkFault {
@@ -29,8 +29,8 @@ enum LinkError {
     UnknownId { id: String, path: String },
 }
 
-/// Finds the addresses that lead nowhere, and those that would be fetched from outside the book.
-/// Skips the pages that only repeat the chapters.
+/// Finds the addresses that lead nowhere, and the addresses that would be fetched from outside the
+/// book. Skips the pages that only repeat other pages.
 pub fn find_address_faults(site: &Site) -> Vec<LinkFault> {
     let with_id = site.pages.values().flat_map(|page| {
         page.elements.iter().map(|element| (page.name.as_str(), element.attr("id")))
@@ -55,7 +55,8 @@ pub fn find_address_faults(site: &Site) -> Vec<LinkFault> {
 }
 
 /// Returns every address that an element links to or loads. Each address comes with the name of the
-/// attribute that contains it, or with an empty name if it is inside a `<style>`.
+/// attribute that contains it, or with an empty name if the address is in the text of a `<style>`
+/// element.
 fn addresses_in<'a>(page: &'a Page, element: &'a Element) -> Vec<(&'a str, &'a str)> {
     let mut addresses: Vec<(&str, &str)> = vec![];
     for (name, value) in &element.attributes {
@@ -117,7 +118,7 @@ fn check_address(
 ///
 /// - `pixel=470,120` on a page with a pixel panel
 /// - `line=gate:true` on a page where the place `gate` can be edited
-/// - `scene=` and the description of a scene, on the page with the editable scene
+/// - `scene=camera-roll:45` on the page with the editable scene
 fn is_for_script(page: &Page, id: &str) -> bool {
     match id.split_once('=') {
         Some(("pixel", _)) => page.attribute_values("data-panel").next().is_some(),
@@ -136,8 +137,8 @@ fn is_for_script(page: &Page, id: &str) -> bool {
     }
 }
 
-/// The addresses from which a stylesheet fetches something. These are in `url(…)` and after
-/// `@import`.
+/// The addresses from which a stylesheet fetches something: the addresses in `url(…)`, then the
+/// addresses after `@import`.
 fn style_urls(css: &str) -> impl Iterator<Item = &str> {
     let urls = css.split("url(").skip(1).filter_map(|rest| rest.split(')').next());
     let imports = css.split("@import \"").skip(1).filter_map(|rest| rest.split('"').next());

@@ -27,11 +27,12 @@ pub struct ExpandedListing {
 /// caption names the file. If the listing shows a part, the caption also says which part: the
 /// beginning of the file, or code to add below the code that has been typed so far.
 ///
-/// The path is relative to the chapters. In the caption, a file in `book/reader` or `book/typed` is
-/// named as a file in the reader's own folder. On each page, the first listing of a file gets an id
-/// for links, such as `listing-step01_rays-src-ray.rs`. This id is added to `ids`.
+/// The path is relative to the chapters. A file in `book/reader` or `book/typed` is for the
+/// reader's own folder, so its caption leaves out `book/reader/` or `book/typed/`. On each page,
+/// the first listing of a file gets an id for links, such as `listing-step01_rays-src-ray.rs`. This
+/// id is added to `ids`.
 ///
-/// In a fence `rust,own_scene`, `scene` is the name `own_scene` of an editable scene. Once the
+/// In a fence `rust,own_scene`, `scene` is `own_scene`, the name of an editable scene. Once the
 /// reader changes that scene, the page shows the scene's program in place of the file. In a fence
 /// `rust`, `scene` is empty.
 pub fn expand_listing(
@@ -72,10 +73,10 @@ struct Listing<'a> {
     language: &'a str,
     code: &'a str,
     extent: Extent,
-    /// Whether there is a blank line above the code in its file.
+    /// Whether the line above the code, in the file, is blank.
     is_below_blank: bool,
-    /// The indices of the new lines: those that aren't in the file of the same name in an earlier
-    /// step.
+    /// The indices of the new lines: the lines that don't occur in the file of the same name in an
+    /// earlier step.
     new_lines: Vec<usize>,
     /// The places in the code that a reader may edit, as `places_list` lists them.
     places: Option<String>,
@@ -115,7 +116,7 @@ const MAX_UNSPLIT_LINES: usize = 25;
 
 impl Listing<'_> {
     /// Returns a figure that consists of a caption and the code in a fence. If the listing's id
-    /// isn't in `ids`, adds it there.
+    /// isn't in `ids`, adds the id to `ids`.
     fn markdown(&self, ids: &mut Vec<String>) -> String {
         let Self { path, language, code, .. } = self;
         let short_path = path.strip_prefix("steps/").unwrap_or(path);
@@ -135,8 +136,8 @@ impl Listing<'_> {
         html_block(&caption) + &fence + &html_block("</figure>")
     }
 
-    /// The HTML attributes of the figure. If the listing's id isn't in `ids`, adds it there and to
-    /// the attributes.
+    /// Returns the HTML attributes of the figure. If the listing's id isn't in `ids`, adds the id
+    /// to `ids` and to the attributes.
     fn attributes(&self, ids: &mut Vec<String>) -> String {
         let short_path = self.path.strip_prefix("steps/").unwrap_or(self.path);
         let mut attributes = vec![];
@@ -150,7 +151,8 @@ impl Listing<'_> {
         if self.code.lines().count() <= MAX_UNSPLIT_LINES {
             attributes.push(("data-short", String::new()));
         }
-        // For this attribute, the copy button puts a blank line above the code.
+        // If the listing has this attribute, the copy button puts a blank line above the copied
+        // code.
         if self.is_below_blank {
             attributes.push(("data-below-blank", String::new()));
         }
@@ -160,8 +162,9 @@ impl Listing<'_> {
         attributes.collect()
     }
 
-    /// The CSS variables of the listing: the number of lines, and a background that draws a bar
-    /// beside each new line. If more than half of the lines are new, there are no bars.
+    /// The CSS variables of the listing: `--lines` is the number of lines, and `--changed` is a
+    /// background that draws a bar beside each new line. If more than half of the lines are new, no
+    /// bars are drawn.
     fn style(&self) -> String {
         let mut style = format!("--lines: {}", self.code.split('\n').count());
         let are_few = 2 * self.new_lines.len() <= self.code.lines().count();
@@ -210,9 +213,9 @@ fn places_list(path: &str, code: &str) -> Option<String> {
 
 /// Returns the range of lines of a part such as `use..impl Ray`. The part begins at the first line
 /// that begins with `use`, and ends before the next line that begins with `impl Ray`. Comments and
-/// attributes directly above such a line belong to it. If there are no words before `..`, the part
-/// begins at the top of the file. If there are no words after `..`, the part ends at the bottom of
-/// the file.
+/// attributes directly above either of these lines belong to that line. If there are no words
+/// before `..`, the part begins at the top of the file. If there are no words after `..`, the part
+/// ends at the bottom of the file.
 fn part_lines(part: &str, lines: &[&str]) -> ChapterResult<Range<usize>> {
     let (begin_words, end_words) =
         part.split_once("..").ok_or_else(|| ChapterError::PartForm(part.to_owned()))?;

@@ -15,8 +15,9 @@ fn main() -> ExitCode {
     let result = match words[..] {
         [] => build_and_report(false),
         ["--open"] => build_and_report(true),
-        // book/book.toml tells mdBook to run the builder with `preprocess`. Before mdBook sends the
-        // book, it asks whether this preprocessor supports the output format.
+        // book/book.toml tells mdBook to run this program with the argument `preprocess`. First,
+        // mdBook adds `supports` and an output format, to ask whether this program supports that
+        // format. Then mdBook runs the program again, and sends the book.
         ["preprocess", "supports", _] => Ok(()),
         ["preprocess"] => preprocess_stdin(),
         _ => Err(anyhow!("Usage: cargo run -- [--open], where --open opens the book in a browser")),

@@ -37,8 +37,9 @@ pub fn inline_html(markdown: &str, values: &Values) -> ChapterResult<String> {
     numbers::fill_in_numbers_in_html(&text.replace('\n', " "), values)
 }
 
-/// Puts blank lines around HTML, so that it is a block of its own in Markdown. Without them, the
-/// HTML would be part of a paragraph above it, and Markdown below it would be taken for HTML.
+/// Puts blank lines around HTML, so that the HTML is a block of its own in Markdown. Without the
+/// blank lines, the HTML would become part of a paragraph above, and Markdown below the HTML would
+/// be taken for HTML.
 pub fn html_block(html: &str) -> String {
     format!("\n{}\n\n", html.trim_end())
 }

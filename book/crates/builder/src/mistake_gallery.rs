@@ -1,5 +1,5 @@
-//! The gallery of a step's mistakes. For each mistake, the gallery shows the wrong picture and the
-//! diff, and says why the code is wrong.
+//! The gallery of the mistakes that readers might make in a step. For each mistake, the gallery
+//! shows the wrong picture and the diff, and says why the code is wrong.
 
 use crate::Sources;
 use crate::fault::{ChapterError, ChapterResult};
@@ -9,9 +9,10 @@ use crate::sources::small_picture_name;
 use crate::values::Values;
 use course::{Mistake, MistakePicture, ShownMistake, Step, escape_html, mistakes};
 
-/// Returns the Markdown for `{{#mistakes step01_rays}}`. The gallery begins with a contact sheet of
-/// the wrong pictures of that step, one for each mistake. A section for each mistake follows. Such
-/// a section consists of three panels, the diff, and the reason why the code is wrong.
+/// Returns the Markdown for a directive such as `{{#mistakes step01_rays}}`. The gallery begins
+/// with a contact sheet, which has one small picture for each mistake in that step. A section for
+/// each mistake follows. A section consists of three panels with pictures, the diff of the code,
+/// and the reason why the code is wrong.
 pub fn gallery_markdown(
     step_name: &str,
     sources: &Sources,
@@ -41,7 +42,8 @@ pub fn gallery_markdown(
     Ok([begin, items, end, sections].concat())
 }
 
-/// Returns the reason why the code is wrong, with a link to the section to read again.
+/// Returns the reason why the code is wrong, with a link to the section that the reader should read
+/// again.
 fn reason_markdown(
     mistake: &Mistake,
     ShownMistake { section, reason, .. }: &ShownMistake,
@@ -52,7 +54,7 @@ fn reason_markdown(
     Ok(format!("{reason} [Step {}, “{section}”]({address})", mistake.step.number()))
 }
 
-/// Returns the HTML of three panels: the wrong picture, the right picture of that step, and the
+/// Returns the HTML of three panels: the wrong picture, the step's correct picture, and the
 /// difference. `yours` is the path of the wrong picture. The browser computes the difference by
 /// blending the two pictures.
 fn yours_ours_difference_html(
@@ -76,8 +78,8 @@ fn yours_ours_difference_html(
     ))
 }
 
-/// Returns the HTML of a mistake's title. The first letter becomes a capital, unless it is part of
-/// a symbol.
+/// Returns the HTML of a mistake's title. The first letter becomes a capital, unless the letter is
+/// part of a symbol.
 fn title_html(Mistake { title, .. }: &Mistake, values: &Values) -> ChapterResult<String> {
     let word = title.split(' ').next().unwrap_or_default();
     let is_word = word.len() > 1 && word.chars().all(|c| c.is_ascii_lowercase());
@@ -88,7 +90,8 @@ fn title_html(Mistake { title, .. }: &Mistake, values: &Values) -> ChapterResult
     inline_html(&symbols_as_formulas(&title), values)
 }
 
-/// Returns the HTML of a mistake's diff: the right lines, then the wrong lines that replace them.
+/// Returns the HTML of a mistake's diff: the correct lines of code, then the wrong lines that
+/// replace them.
 fn changed_lines_html(mistake: &Mistake) -> String {
     let path = mistake.file.strip_prefix("steps/").unwrap_or(&mistake.file);
     let lines = |tag: &str, sign: &str, text: &str| {

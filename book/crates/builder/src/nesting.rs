@@ -1,7 +1,8 @@
 //! Checks that the elements on every page are nested as HTML requires: an element ends before the
 //! element around it does, and an element for text, such as a label, contains no blocks.
 //!
-//! A browser doesn't report such an error. It guesses what was meant, and its guess may be wrong.
+//! A browser doesn't report wrong nesting. The browser guesses what was meant, and its guess may be
+//! wrong.
 
 use crate::Site;
 use crate::page::{is_void, tokens};
@@ -84,7 +85,7 @@ pub fn find_faults(site: &Site) -> Vec<NestingFault> {
     faults.collect()
 }
 
-/// Finds the misplaced tags on a page. Each error comes with its line.
+/// Finds the misplaced tags on a page. Each error comes with its line number.
 fn misplaced_tags(html: &str) -> Vec<(u64, NestingError)> {
     let (mut errors, mut open) = (vec![], Vec::<String>::new());
     let mut last_line = 0;

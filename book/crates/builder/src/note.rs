@@ -1,4 +1,5 @@
-//! Notes. On the page, a note is in the margin beside the block that it follows in the chapter.
+//! Notes. In a chapter, a note follows a block. On the page, the note is in the margin beside that
+//! block.
 
 use crate::directive::{Directive, DirectiveKind};
 use crate::fault::ChapterResult;
@@ -43,7 +44,7 @@ pub fn note_html(kind: NoteKind, words: &str, values: &Values) -> ChapterResult<
     Ok(format!("<aside class=\"{class}\" role=\"note\">{label}{words}</aside>\n"))
 }
 
-/// Finds the blocks that have notes. For each of them, returns the range of the block and its
+/// Finds the blocks that have notes. For each such block, returns the range of the block and its
 /// notes. Headings, HTML, and directives that begin or end a box can't have notes.
 pub fn find_noted_blocks(text: &str, events: &[(Event, Range<usize>)]) -> Vec<Range<usize>> {
     let mut noted: Vec<Range<usize>> = vec![];
@@ -75,8 +76,8 @@ pub fn find_noted_blocks(text: &str, events: &[(Event, Range<usize>)]) -> Vec<Ra
     noted
 }
 
-/// Whether notes may follow a block. If the block is a paragraph with a single directive, `kind` is
-/// that directive's kind.
+/// Whether notes may follow a block. If the block is a paragraph that consists of a single
+/// directive, `kind` is that directive's kind.
 fn can_have_notes(tag: &Tag, kind: Option<DirectiveKind>) -> bool {
     use DirectiveKind::{Check, Figure, Number, Value};
     match tag {

@@ -29,9 +29,9 @@ pub fn fill_in_values_in_code(code: &str, values: &Values) -> ChapterResult<Stri
 }
 
 /// Fills in directives such as `{{#value name}}` and `{{#number row:hRes}}` in a formula, and
-/// converts the formula with `to_mathml`. LaTeX has no notation for live numbers, so they are
-/// placeholders in the LaTeX: the texts `live0`, `live1` and so on. In the MathML, live numbers
-/// then replace these placeholders.
+/// converts the formula with `to_mathml`. LaTeX has no notation for live numbers, so the LaTeX
+/// contains placeholders: the texts `live0`, `live1` and so on. In the MathML, the live numbers
+/// replace the placeholders.
 pub fn fill_in_numbers_in_formula(
     latex: &str,
     values: &Values,
@@ -59,8 +59,8 @@ pub fn fill_in_numbers_in_formula(
     Ok(filled + rest)
 }
 
-/// Returns an element, with this tag, for a number that the page updates. At first, the element
-/// contains the number for the default parameters.
+/// Returns the HTML element for a number that the page updates. `tag` is the element's tag. At
+/// first, the element contains the number for the default parameters.
 pub fn live_number_html(tag: &str, name: &str, values: &Values) -> ChapterResult<String> {
     let default_text = values.text(name, Notation::Prose)?;
     Ok(format!("<{tag} data-number=\"{name}\">{default_text}</{tag}>"))

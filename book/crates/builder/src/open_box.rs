@@ -11,14 +11,16 @@
 //! | problem | `answer` | answer |
 //! | standalone box, answer | `end` | no box |
 //!
-//! Any other directive for a box is an error. After an error in its first line, a box still counts
-//! as open. Otherwise its `{{#end}}` would be a second error. For the same reason, if a standalone
-//! box begins in a problem before the answer, it replaces the problem as the open box.
+//! In each state, all other directives for boxes are errors. A box whose first line is an error
+//! still counts as open. Otherwise the `{{#end}}` of that box would be a second error. For the same
+//! reason, a standalone box that begins inside a problem, before the answer, replaces the problem
+//! as the open box.
 //!
-//! A panel belongs to the last picture above it that has a probe. One wrapper contains both, so
-//! that the panel can be in the margin. [`Boxes::await_panel`] opens the wrapper before the
-//! picture, and stores the HTML that closes the wrapper after the panel. If the picture has notes,
-//! no wrapper is opened here, because the picture and its notes already have one.
+//! A panel belongs to the last picture above it that has a probe. One wrapper contains the picture
+//! and the panel, so that the panel can be in the margin. [`Boxes::await_panel`] opens the wrapper
+//! before the picture, and stores the HTML that closes the wrapper after the panel. If the picture
+//! has notes, `await_panel` opens no wrapper, because the picture and its notes already have a
+//! wrapper.
 
 use crate::fault::{ChapterError, ChapterResult};
 use crate::folded_box::BoxKind;
@@ -31,15 +33,15 @@ const DETAILS_END: &str = "</details>\n";
 #[derive(Debug, Default)]
 pub struct Boxes {
     open: Option<OpenBox>,
-    /// The pictures so far that need a panel and have none yet.
+    /// The pictures so far whose panels are still missing.
     awaiting_panel: Vec<ProbedPicture>,
 }
 
 /// A box whose `{{#end}}` hasn't been reached yet.
 #[derive(Debug)]
 enum OpenBox {
-    /// A folded box outside of a problem, or the panel of a picture. It begins at `start` in the
-    /// chapter, and `end_html` closes it.
+    /// A folded box outside of a problem, or the panel of a picture. The box begins at `start` in
+    /// the chapter, and `end_html` closes the box.
     Standalone { start: usize, end_html: String },
     /// A problem, up to its `{{#answer}}`.
     Problem(OpenProblem),
@@ -53,14 +55,14 @@ struct ProbedPicture {
     name: &'static str,
     /// The start of the picture's paragraph in the chapter.
     start: usize,
-    /// The HTML that closes the wrapper, to go after the panel. It is empty if the picture has
-    /// notes, because the wrapper then ends after the last note.
+    /// The HTML after the panel, which closes the wrapper around the picture and the panel. This
+    /// HTML is empty if the picture has notes, because the wrapper then ends after the last note.
     wrapper_end_html: String,
 }
 
 impl Boxes {
-    /// Records a picture with a probe, which needs a panel below it. The paragraph of the picture
-    /// begins at `start`. Returns the HTML that goes before the picture.
+    /// Records a picture that has a probe. Such a picture needs a panel below it. The paragraph of
+    /// the picture begins at `start`. Returns the HTML that goes before the picture.
     pub fn await_panel(&mut self, picture: &'static str, start: usize, has_notes: bool) -> String {
         let (wrapper_html, wrapper_end_html) = if has_notes {
             Default::default()
@@ -71,7 +73,8 @@ impl Boxes {
         wrapper_html
     }
 
-    /// Opens the panel of the picture `name`, which has to be the last picture with a probe so far.
+    /// Opens the panel of the picture `name`. Returns an error unless this is the last of the
+    /// pictures whose panels are still missing.
     pub fn begin_panel(&mut self, name: &str, start: usize) -> ChapterResult<String> {
         let (html, wrapper_end_html) =
             match self.awaiting_panel.pop_if(|picture| picture.name == name) {
@@ -85,8 +88,8 @@ impl Boxes {
     }
 
     /// Opens a folded box, or the answer to the open problem. Returns `html`, the expansion of the
-    /// box's first line, or an error if no box can begin here. If the box is the answer to the open
-    /// problem, the form for the reader's number precedes `html`.
+    /// box's first line, or an error if no box can begin here. If the box is the answer to a
+    /// problem, the returned HTML begins with the form in which the reader enters a number.
     pub fn begin_folded_box(
         &mut self,
         kind: BoxKind,
@@ -127,8 +130,8 @@ impl Boxes {
         if self.open.is_none() { Ok(()) } else { Err(ChapterError::ProblemInBox) }
     }
 
-    /// Opens a problem, whose first line goes from `start` to `text_start`. `number_and_answer` is None if
-    /// that line is an error.
+    /// Opens a problem, whose first line goes from `start` to `text_start`. `number_and_answer` is
+    /// None if the first line is an error.
     pub fn begin_problem(
         &mut self,
         number_and_answer: Option<NumberAndAnswer>,
@@ -138,7 +141,7 @@ impl Boxes {
         self.open = Some(OpenBox::Problem(OpenProblem { number_and_answer, start, text_start }));
     }
 
-    /// The open box if it is the answer to a problem, or else None.
+    /// Returns the open answer to a problem. Returns None if no answer to a problem is open.
     pub fn open_answer_mut(&mut self) -> Option<&mut OpenAnswer> {
         match &mut self.open {
             Some(OpenBox::Answer(answer)) => Some(answer),
@@ -146,8 +149,8 @@ impl Boxes {
         }
     }
 
-    /// Closes the open box. Returns the HTML that closes it. If the box is the answer to a problem,
-    /// returns the answer as well.
+    /// Closes the open box. Returns the HTML that closes the box on the page. If the box is the
+    /// answer to a problem, returns the answer as well.
     pub fn end_box(&mut self) -> ChapterResult<(String, Option<OpenAnswer>)> {
         match self.open.take() {
             Some(OpenBox::Standalone { end_html, .. }) => Ok((end_html, None)),
@@ -159,8 +162,8 @@ impl Boxes {
         }
     }
 
-    /// Finds what is missing at the end of the chapter: panels of pictures, and the `{{#end}}` of a
-    /// box. Each error has the position of the picture or box.
+    /// Finds what is still missing when the chapter ends: panels of pictures, and the `{{#end}}` of
+    /// a box. Each error comes with the position of that picture or box.
     pub fn find_missing_parts(&self) -> Vec<(usize, ChapterError)> {
         let open = self.open.iter().map(|open| {
             let start = match open {
@@ -223,7 +226,7 @@ mod tests {
         assert_eq!(missing_parts(&boxes), [first.clone(), second.clone()]);
         assert!(
             boxes.begin_panel("step02_sphere", 7).is_err(),
-            "a panel can only be for the last picture"
+            "a panel has to be for the last picture"
         );
         end_box(&mut boxes).expect("the box can end");
         boxes.begin_panel("step03_nearest", 9).expect("the panel can begin");

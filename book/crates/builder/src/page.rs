@@ -61,7 +61,7 @@ pub struct Page {
 /// An element of a page.
 #[derive(Clone, Debug)]
 pub struct Element {
-    /// The name of its tag, such as `figure`.
+    /// The name of the element's tag, such as `figure`.
     pub tag: String,
     /// The names and values of its attributes.
     pub attributes: Vec<(String, String)>,
@@ -154,7 +154,7 @@ impl Page {
     }
 
     /// Returns the location of an element, for a message about a fault. The location consists of
-    /// the page and an id: that of the element itself, or else the nearest id before the element.
+    /// the page and an id. If the element has no id, this is the nearest id before the element.
     pub fn address_for_fault(&self, element: &Element) -> String {
         let mut elements = self.elements[..element.descendants.start].iter().rev();
         let id = elements.find_map(|element| element.attr("id"));
@@ -170,7 +170,8 @@ pub fn is_void(tag: &str) -> bool {
     )
 }
 
-/// Splits the HTML of a page into tokens, such as tags and text. Each token comes with its line.
+/// Splits the HTML of a page into tokens, such as tags and text. Each token comes with its line
+/// number.
 pub fn tokens(html: &str) -> Vec<(Token, u64)> {
     let queue = BufferQueue::default();
     queue.push_back(StrTendril::from(html));

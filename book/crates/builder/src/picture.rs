@@ -9,20 +9,21 @@ use course::{escape_html, mistakes};
 use figures::Figure;
 use std::mem;
 
-/// The value of the attribute `sizes`, for a picture that comes in several sizes. It tells the
-/// browser how wide the picture will be: as wide as the text or, in a narrow window, as wide as the
-/// window without the gutters. The widths are in pixels, because a rem in this attribute depends on
-/// the browser's default font size, not on the page's font size.
+/// The value of the attribute `sizes`, for a picture that comes in several sizes. This value tells
+/// the browser how wide the picture will be. In a wide window, the picture is as wide as the text.
+/// In a narrow window, the picture is as wide as the window without the gutters. The widths are in
+/// pixels, because a rem in this attribute depends on the browser's default font size, not on the
+/// page's font size.
 const WIDTH_ON_PAGE: &str = "(min-width: 730px) 684px, calc(100vw - 43px)";
 
 /// How a picture reacts to a reader.
 #[derive(Clone, Copy)]
 pub enum Interaction<'a> {
-    /// The picture becomes interactive as soon as it comes near the view. It has all handles and
-    /// controls of the figure.
+    /// The picture becomes interactive as soon as it comes near the viewport. The picture has all
+    /// handles and controls of the figure.
     Live(&'a Figure),
-    /// The picture becomes interactive when the reader touches it. It has no controls. For example,
-    /// the preview of step 5 only says what the ray of a pixel hits.
+    /// The picture becomes interactive at the reader's first touch. The picture has no controls.
+    /// For example, the preview of step 5 only says what the ray of a pixel hits.
     Preview(&'a Figure),
 }
 
@@ -36,8 +37,8 @@ pub enum LoadingTime {
 }
 
 impl LoadingTime {
-    /// Returns how the next picture on a page is loaded. Sets `self` to `InView` for the
-    /// pictures after that one.
+    /// Returns when the next picture on a page is loaded. Sets `self` to `InView` for all later
+    /// pictures.
     pub fn take_for_next_picture(&mut self) -> Self {
         mem::replace(self, Self::InView)
     }
@@ -51,22 +52,23 @@ impl LoadingTime {
     }
 }
 
-/// Changes the HTML of the page for printing so that every picture is loaded at once. A picture
+/// In the HTML of the page for printing, makes the browser load every picture at once. A picture
 /// that is only loaded when it comes into view would be missing on paper.
 pub fn remove_lazy_loading(html: &str) -> String {
     html.replace(&format!(" {}", LoadingTime::InView.html_attribute()), "")
 }
 
-/// Returns the HTML of `![alt text](generated/name.png "Caption")`, without the caption. If the
-/// picture shows a mistake, the alt text comes from the list of mistakes, not from the Markdown.
+/// Returns the HTML of a picture such as `![alt text](generated/name.png "Caption")`. The caption
+/// is left out. If the picture shows a mistake, the alt text comes from the list of mistakes, not
+/// from the Markdown.
 pub fn image_html_from_markdown(
     markdown: &str,
     source: &str,
     sources: &Sources,
     loading: &mut LoadingTime,
 ) -> ChapterResult<String> {
-    // The alt text ends at the first `](` before this address. The caption may contain a second one,
-    // in a link to the same picture.
+    // The alt text ends at the first `](` before this address. The caption may contain another `](`
+    // before the same address, in a link to the picture.
     let end = format!("]({source}");
     let alt = markdown.trim_start_matches("![").split(&end).next().unwrap_or_default();
     let alt_words: Vec<_> = alt.split_whitespace().collect();
@@ -90,7 +92,8 @@ fn mistake_effect_of_picture(source: &str) -> Option<String> {
 }
 
 /// Returns the HTML of a picture, with this alt text and with the picture's width and height. If
-/// the picture is the first on its page, a phone may load a smaller version of it.
+/// the picture is the first on its page, the HTML also lists the smaller versions, so that a phone
+/// can load one of those.
 pub fn image_html(
     alt: &str,
     source: &str,
@@ -113,8 +116,7 @@ pub fn image_html(
     let loading = loading.take_for_next_picture();
     let smaller = match loading {
         LoadingTime::AtOnce => sources.smaller_versions(source),
-        // The page doesn't wait for a picture that is out of view, so the size of its file matters
-        // less.
+        // The page doesn't wait for a picture that is out of view, so a large file does less harm.
         LoadingTime::InView => vec![],
     };
     let srcset = if smaller.is_empty() {
@@ -134,8 +136,8 @@ pub fn image_html(
     ))
 }
 
-/// Returns the HTML of a figure with this image. `caption` is Markdown, and may be empty. A live
-/// figure also gets controls, and a preview gets a hint.
+/// Returns the HTML of a figure around a picture, whose HTML is `image`. `caption` is Markdown, and
+/// may be empty. A live figure also gets controls, and a preview gets a hint.
 pub fn figure_html(
     image: &str,
     caption: &str,

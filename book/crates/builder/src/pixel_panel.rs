@@ -1,5 +1,5 @@
-//! The box "This pixel" below an interactive picture. It shows every number in the computation of
-//! the chosen pixel, from its ray to its three bytes.
+//! The box "This pixel" below an interactive picture. The box shows every number in the computation
+//! of the chosen pixel, from the pixel's ray to its three bytes.
 
 use crate::fault::{ChapterError, ChapterResult};
 use crate::numbers;
@@ -7,9 +7,9 @@ use crate::values::Values;
 use figures::{find_figure, row_readout_name, short_name};
 use step03_nearest::OBJECTS;
 
-/// Returns the HTML for `{{#pixel-panel step04_diffuse}}`, which begins the box for that picture.
-/// The text in the box follows in the chapter, up to `{{#end}}`. In this text, each number that
-/// depends on the pixel is written as `{{#number …}}`.
+/// Returns the HTML for `{{#pixel-panel step04_diffuse}}`, which begins the box of the picture
+/// `step04_diffuse`. In the chapter, the text in the box follows, up to `{{#end}}`. In this text,
+/// each number that depends on the pixel is written as `{{#number …}}`.
 ///
 /// The HTML hides the box, since it doesn't work without scripts. If scripts are enabled,
 /// book/theme/css/live.css shows the box from the start.

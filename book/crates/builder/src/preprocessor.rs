@@ -28,16 +28,16 @@ impl ChapterPreprocessor {
 }
 
 impl Preprocessor for ChapterPreprocessor {
-    /// The preprocessor's name in `book.toml`, which also gives a command for it. `mdbook serve`
-    /// runs that command. In `cargo run`, mdBook calls this object instead, because the object
-    /// has the same name.
+    /// The preprocessor's name in book/book.toml. That file also gives the preprocessor's command,
+    /// which `mdbook serve` runs. In `cargo run`, mdBook finds this object by the same name, and
+    /// calls the object instead of the command.
     fn name(&self) -> &str {
         "course"
     }
 
     fn run(&self, context: &PreprocessorContext, mut book: Book) -> Result<Book> {
         // A published book links to the repository. Any other book says which folder to look for,
-        // but not its path, since the book may be copied to another computer.
+        // but doesn't say the folder's path, since the book may be copied to another computer.
         let source_location_markdown =
             match context.config.get::<String>("output.html.git-repository-url")? {
                 Some(url) => format!("at [{url}]({url}): get it with `git clone {url}`"),

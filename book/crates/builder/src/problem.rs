@@ -8,8 +8,8 @@ use crate::values::Values;
 /// The maximum number of words in a problem's text.
 pub const MAX_WORDS: usize = 80;
 
-/// The line that begins a problem, such as `{{#problem 7 0.622}}`. After this line come the text of
-/// the problem, `{{#answer}}`, the solution, and `{{#end}}`.
+/// The number and the answer of a problem, from its first line, such as `{{#problem 7 0.622}}`.
+/// After the first line come the text of the problem, `{{#answer}}`, the solution, and `{{#end}}`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct NumberAndAnswer {
     /// The number of the problem, such as 7.
@@ -27,14 +27,14 @@ impl NumberAndAnswer {
         if is_number { Ok(number_and_answer) } else { Err(ChapterError::ProblemForm) }
     }
 
-    /// The answer without its thousands separators, so that it can be parsed.
+    /// The answer without thousands separators, so that the answer can be parsed.
     fn answer_without_commas(&self) -> String {
         self.answer.replace(',', "")
     }
 
     /// Returns the HTML that begins the problem. In the browser, book/theme/book.js compares the
     /// reader's number with the answer. If the answer is a whole number, the reader's number has to
-    /// be equal to it. Otherwise the reader's number may differ by 1 %.
+    /// be equal to the answer. Otherwise the reader's number may differ from the answer by 1 %.
     pub fn opening_html(&self) -> String {
         let (number, answer) = (&self.number, self.answer_without_commas());
         let tolerance = if answer.contains('.') { 0.01 } else { 0.0 };
@@ -46,7 +46,7 @@ impl NumberAndAnswer {
     }
 
     /// Returns the HTML of the form in which the reader enters a number. The form goes below the
-    /// problem's text. If scripts are disabled, the form stays hidden, since it doesn't work.
+    /// problem's text. If scripts are disabled, the form stays hidden, since it wouldn't work.
     pub fn form_html(&self) -> String {
         format!(
             "<form hidden><input required placeholder=\"your number\" autocomplete=\"off\" \
@@ -63,7 +63,7 @@ pub struct Problem {
     pub number_and_answer: NumberAndAnswer,
     /// The expanded text of the problem.
     pub text: String,
-    /// The first bold words in the expanded answer, including the asterisks.
+    /// The first passage in bold in the expanded answer, including the asterisks.
     pub result: String,
 }
 
@@ -77,11 +77,11 @@ pub struct PositionPair {
 /// A problem whose answer hasn't begun yet.
 #[derive(Debug)]
 pub struct OpenProblem {
-    /// The number_and_answer, or None if the first line is an error.
+    /// The problem's number and answer, or None if the first line is an error.
     pub number_and_answer: Option<NumberAndAnswer>,
-    /// The start of the first line.
+    /// The start of the problem's first line.
     pub start: usize,
-    /// The end of the first line, where the text of the problem begins.
+    /// The end of the problem's first line, where the text of the problem begins.
     pub text_start: PositionPair,
 }
 
@@ -97,24 +97,26 @@ pub struct OpenAnswer {
     pub problem: OpenProblem,
     /// The start of the line `{{#answer}}`.
     start: PositionPair,
-    /// The start and end of the first bold words.
+    /// The start of the answer's first passage in bold.
     bold_start: Option<PositionPair>,
+    /// The end of the answer's first passage in bold.
     bold_end: Option<PositionPair>,
 }
 
 impl OpenAnswer {
-    /// Records where bold words begin, if they are the first in this answer.
+    /// Records where a passage in bold begins, if no earlier passage in this answer is in bold.
     pub fn record_first_bold_start(&mut self, position: PositionPair) {
         self.bold_start.get_or_insert(position);
     }
 
-    /// Records where bold words end, if they are the first in this answer.
+    /// Records where a passage in bold ends, if no earlier passage in this answer is in bold.
     pub fn record_first_bold_end(&mut self, position: PositionPair) {
         self.bold_end.get_or_insert(position);
     }
 
-    /// Completes the problem when its `{{#end}}` is reached. Returns None if the problem's first
-    /// line is an error, which has already been reported.
+    /// Completes the problem when its `{{#end}}` is reached. `text` is the text of the chapter, and
+    /// `expanded` is the expanded text so far. Returns None if the problem's first line is an
+    /// error, which has already been reported.
     pub fn finish(self, text: &str, expanded: &str) -> Option<ChapterResult<Problem>> {
         let (start, end) = (self.problem.text_start, self.start);
         let number_and_answer = self.problem.number_and_answer?;
@@ -134,8 +136,8 @@ impl OpenAnswer {
 }
 
 /// Returns the Markdown for `{{#problem-sheet}}`: the problems from all chapters, then their
-/// answers. Of each answer, the sheet has only the first bold words, not the solution. `chapters`
-/// contains the title and the problems of each chapter.
+/// answers. For each answer, the sheet shows only the result (the first passage in bold), not the
+/// solution. `chapters` contains the title and the problems of each chapter.
 pub fn sheet_markdown(
     chapters: &[(String, Vec<Problem>)],
     values: &Values,

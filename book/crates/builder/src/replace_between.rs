@@ -10,8 +10,8 @@ pub struct MissingEnd {
     end: &'static str,
 }
 
-/// Replaces each piece of a text that goes from `begin` to the next `end`. Calls `replacement` with
-/// the text between these two marks, and inserts the result.
+/// Finds each piece of a text that goes from `begin` to the next `end`. Calls `replacement` with
+/// what is between these two marks. Replaces the piece, including the two marks, with the result.
 pub fn replace_between<E: From<MissingEnd>>(
     text: &str,
     begin: &'static str,

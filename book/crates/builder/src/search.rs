@@ -1,4 +1,4 @@
-//! The index for the search on the pages.
+//! The index for the book's search.
 
 use crate::fault::Faults;
 use crate::page::Element;
@@ -8,11 +8,13 @@ use serde_json::json;
 use std::collections::{BTreeMap, BTreeSet};
 use std::iter;
 
-/// The file of words that readers type into the search. Its first lines explain its format.
+/// The contents of search_words.txt: words that readers type into the search. The first lines of
+/// the file explain its format.
 pub const READER_WORDS: &str = include_str!("../search_words.txt");
 
 /// Returns the script that supplies the search in book/theme/search.js with the text of the book.
-/// The script contains nested arrays of pages, hints and synonyms:
+/// The script contains three arrays: pages, hints, and groups of synonyms. Each entry is an array
+/// as well:
 ///
 /// - A page consists of a name, a title, and sections.
 /// - A section consists of an id, a title, prose, listings, and the phrases by which readers look
@@ -66,7 +68,7 @@ struct SearchVocabulary<'a> {
     synonyms: Vec<Vec<&'a str>>,
 }
 
-/// What to do about certain error messages, such as those of the compiler.
+/// Advice about certain error messages, such as the messages of the compiler.
 #[derive(Debug, PartialEq)]
 struct Hint<'a> {
     /// The address of the section to read.
@@ -102,7 +104,8 @@ fn split_at_commas(phrases: &str) -> impl Iterator<Item = &str> {
 }
 
 /// The alt texts of the pictures that link to a section. Such pictures occur only in the galleries
-/// of mistakes. Their alt texts let readers search for what went wrong in their own pictures.
+/// of mistakes. An alt text there describes the effect of a mistake, so that readers can search for
+/// what they see in their own pictures.
 fn alt_texts_of_links_to<'a>(page: &'a Page, id: &str) -> Vec<&'a str> {
     let leads_here = |link: &&Element| {
         link.tag == "a" && link.attr("href").and_then(|href| href.strip_prefix('#')) == Some(id)
@@ -117,7 +120,7 @@ fn alt_texts_of_links_to<'a>(page: &'a Page, id: &str) -> Vec<&'a str> {
 struct Section {
     id: String,
     title: String,
-    /// The text of the section that can be searched, without its listings.
+    /// The text of the section that can be searched, except the text of the listings.
     prose: String,
     /// The text of the listings in the section.
     listings: String,
@@ -142,8 +145,8 @@ fn page_sections(page: &Page) -> Vec<Section> {
         } else if let Some(section) = sections.last_mut() {
             section.prose +=
                 &(page.text_without(part, |part| is_skipped(part) || is_listing(part)) + " ");
-            // Also add listings inside this part, such as those in a folded box, unless the search
-            // skips this part.
+            // Also add listings inside this part, such as listings in a folded box, unless the
+            // search skips the part.
             let inside = if is_skipped(part) { &[] } else { page.descendants(part) };
             for listing in iter::once(part).chain(inside).filter(|part| is_listing(part)) {
                 section.listings += &(page.text_without(listing, is_skipped) + " ");
@@ -166,8 +169,9 @@ fn is_listing(element: &Element) -> bool {
     element.attr("data-path").is_some()
 }
 
-/// Whether the search skips an element. It skips drawings and hidden elements. It also skips boxes
-/// with answers or hints, because a search result would give these away.
+/// Whether the search skips an element. The search skips drawings and hidden elements. The search
+/// also skips boxes with answers or hints, because a search result would give the answer or the
+/// hint away.
 fn is_skipped(element: &Element) -> bool {
     let is_answer = matches!(element.attr("class"), Some("answer" | "hints"));
     is_answer || element.attr("hidden").is_some() || element.tag == "svg"

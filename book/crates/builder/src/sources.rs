@@ -29,13 +29,13 @@ pub struct Sources {
     pub workspace: PathBuf,
     /// The pictures and scripts in `generated/`.
     pub generated: Files,
-    /// The numbers in the text.
+    /// The values that `{{#value …}}` puts into a chapter.
     pub values: Values,
 }
 
 impl Sources {
     /// Reads the locked pictures, the pictures of the mistakes, and the modules. Draws the figures,
-    /// and the cover for small screens.
+    /// and the versions of the cover for small screens.
     pub fn read(workspace: &Path) -> Result<Self> {
         let mut generated = Files::default();
         let files = &mut generated.0;
@@ -89,18 +89,19 @@ impl Sources {
     }
 }
 
-/// The file name of the smaller version, `columns` pixels wide, of the picture `name`.
+/// The file name of the version of the picture `name` that is `columns` pixels wide.
 fn cover_version_name(name: &str, columns: u32) -> String {
     format!("{name}-{columns}.png")
 }
 
-/// The file name of a step's right picture, reduced to the size that the pictures of mistakes have.
+/// The file name of the small version of a step's correct picture. This version is as small as the
+/// pictures of mistakes.
 pub fn small_picture_name(step: Step) -> String {
     format!("{}-small.png", step.name())
 }
 
-/// Inserts a script that contains these bytes. A page that was opened from a folder can load
-/// scripts, but it can't fetch data, so all data has to be in scripts.
+/// Inserts a script that contains these bytes. A page that was opened from a disk can load scripts
+/// but can't fetch data, so all data has to be in scripts.
 fn insert_bytes_as_script(files: &mut BTreeMap<String, Vec<u8>>, name: &str, bytes: &[u8]) {
     let bytes = BASE64_STANDARD.encode(bytes);
     let script = format!("book.modules.provide(\"{name}\", \"{bytes}\");\n");

@@ -41,7 +41,8 @@ fn each_directive_is_listed_in_lib_and_expanded_in_one_of_each() {
         }
         let is_expanded =
             ["}}", " "].iter().any(|end| example.contains(&format!("{{{{#{name}{end}")));
-        // `our-folder` needs no example, since the caller of `expand_chapter` says what it becomes.
+        // `our-folder` needs no example, since the caller of `expand_chapter` says what this
+        // directive becomes.
         if kind != DirectiveKind::OurFolder && !is_expanded {
             faults.push(format!("tests/one_of_each.md has no {{{{#{name}}}}}."));
         }
@@ -116,7 +117,8 @@ fn problems_are_numbered_in_order_and_their_bold_answers_match_their_first_lines
     for (number, problem) in (1..).zip(&problems) {
         let Problem { number_and_answer, text, result } = problem;
         assert_eq!(number_and_answer.number, number.to_string(), "{text}");
-        // The sheet gives the bold words as the answer, so they have to match the number_and_answer.
+        // The sheet shows the passage in bold as the answer, so the passage has to match the answer
+        // in `{{#problem …}}`.
         let bold = result.trim_matches('*').trim_end_matches(['.', '°', '%']).trim_end();
         assert_eq!(number_and_answer.answer, bold, "{text}");
     }

@@ -7,7 +7,8 @@
 //! - `NAME` is a number for a whole picture: a count of rays or pixels, or the largest change of
 //!   any pixel.
 //!
-//! A figure computes all its numbers together. They are cached, since chapters use several of them.
+//! A figure computes all its numbers together. The numbers are cached, since chapters use several
+//! numbers of the same figure.
 
 use crate::fault::{ChapterError, ChapterResult};
 use course::{
@@ -37,8 +38,8 @@ pub struct Values {
     readouts: Mutex<BTreeMap<FigureAndPixel, Readouts>>,
 }
 
-/// The name of a figure, and the pixel at its probe, such as `470,120`. The pixel is None if the
-/// figure has its default parameters.
+/// The name of a figure, and the pixel where the figure's probe is, such as `470,120`. The pixel is
+/// None if the figure has its default parameters.
 type FigureAndPixel = (String, Option<String>);
 
 impl Values {
@@ -106,8 +107,8 @@ fn whole_picture_number(name: &str) -> Option<usize> {
             let nearest = nearest(&OBJECTS, ray).map(|hit| hit.object);
             indices_of_hit_objects(ray).last().map(|k| &OBJECTS[k]) != nearest
         }),
-        // Object 4 is the sphere behind the eye. Rays meet it only at negative t, which `first_hit`
-        // leaves out, so the discriminant decides.
+        // Object 4 is the sphere behind the eye. Rays meet this sphere only at negative t, and
+        // `first_hit` ignores negative t, so this counts rays by their discriminants.
         "step03-behind" => count_primary_rays(|ray| discriminant(&OBJECTS[4].sphere, ray) >= 0.0),
         "step05-gate-pixels" => sizes_of_pixel_changes_without_gate().len(),
         "step05-gate-most" => sizes_of_pixel_changes_without_gate().into_iter().max().unwrap_or(0),
@@ -132,8 +133,8 @@ fn indices_of_hit_objects(ray: &Ray) -> impl Iterator<Item = usize> {
     (0..OBJECTS.len()).filter(has_hit)
 }
 
-/// Draws step 5's picture without the gate (the test of n·l), and compares the result with the right
-/// picture. For each pixel that differs, returns the largest difference in any channel.
+/// Draws step 5's picture without the gate (the test of n·l), and compares the result with the
+/// correct picture. For each pixel that differs, returns the largest difference in any channel.
 fn sizes_of_pixel_changes_without_gate() -> Vec<usize> {
     let scene = scene();
     let ungated = render(&camera(), 1, |ray| colour_without_highlight_gate(&scene, ray));
