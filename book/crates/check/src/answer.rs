@@ -96,7 +96,7 @@ impl Cause {
     }
 }
 
-/// Writes the description. If the file is known, it follows in parentheses.
+/// Writes the description. If the file is known, the path of the file follows in parentheses.
 impl Display for Cause {
     fn fmt(&self, f: &mut Formatter) -> fmt::Result {
         write!(f, "{}", self.description())?;
@@ -131,7 +131,7 @@ pub struct Answer {
     pub file_notes: Vec<String>,
     /// The most helpful sentence.
     pub headline: String,
-    /// The lines after the headline. There are about six.
+    /// The lines after the headline, usually about six.
     pub details: Vec<String>,
     /// All changes we know of that reproduce this picture exactly.
     pub causes: Vec<Cause>,
@@ -173,8 +173,8 @@ impl Answer {
         lines
     }
 
-    /// Returns the line that names a section of the book, and the address of this section on the
-    /// book's pages. Returns None if no line names a section.
+    /// Returns the answer's line that names a section of the book, and the address of this section
+    /// on the book's pages. Returns None if no line names a section.
     pub fn section_link(&self) -> Option<(String, String)> {
         let Cause::Mistake(mistake) = self.causes.first()? else { return None };
         Some((section_sentence(mistake)?, mistake.section_address("html")?))
@@ -218,8 +218,8 @@ impl Display for Answer {
     }
 }
 
-/// Joins the first `max_items` items of a list. If this leaves out items, the text ends in their
-/// number, such as `2 more`.
+/// Joins the first `max_items` items of a list. If the list is longer, the text ends in the
+/// number of items left out, such as `2 more`.
 pub(crate) fn join_first(mut items: Vec<String>, max_items: usize, separator: &str) -> String {
     let more = items.len().saturating_sub(max_items);
     items.truncate(max_items);

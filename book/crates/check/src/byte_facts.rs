@@ -14,8 +14,8 @@ const MIN_CHANGED_VALUES: usize = 16;
 /// The maximum number of bytes listed in one sentence.
 const MAX_BYTES: usize = 3;
 
-/// The number of pixels that we test first for a curve. We test all pixels only if these lie on
-/// one.
+/// The number of pixels that we test first for a curve. We test all pixels only if these pixels lie
+/// on a curve.
 const FIRST_PIXELS: usize = 500;
 
 /// Returns sentences about what every wrong pixel may be a copy of: one of our channels in all
@@ -84,8 +84,8 @@ pub(crate) fn byte_depends_on_our_byte_sentence(
     Some(format!("Each byte depends only on ours: {examples}.{file}"))
 }
 
-/// Whether only the sky or only the objects differ. If so, their colours may be wrong instead of
-/// the conversion to bytes. Returns false in step 1, which has no objects.
+/// Whether only the sky or only the objects differ. If so, a wrong colour may be the cause, and not
+/// a wrong conversion to bytes. Returns false in step 1, which has no objects.
 fn only_sky_or_only_objects_differ(comparison: &Comparison, scene: &StepScene) -> bool {
     let wrong_sky = comparison.wrong.iter().filter(|pixel| pixel.hit.is_none()).count();
     scene.step > Step::Rays && [0, comparison.wrong.len()].contains(&wrong_sky)

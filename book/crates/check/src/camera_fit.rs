@@ -42,7 +42,7 @@ pub(crate) fn describe_fitting_cameras(
             Some(number.describe(&value.to_string()))
         }));
     }
-    // In step 1, the colours of the directions may be wrong instead of the camera.
+    // In step 1, wrong colours of the directions may look the same as a wrong camera.
     if scene.step == Step::Rays && !descriptions.is_empty() {
         descriptions.push("other colours of the directions".into());
     }
@@ -66,7 +66,8 @@ impl MatrixNumber {
         camera
     }
 
-    /// Describes a change to `value`, such as `x of D_u = 0.002 instead of 0.001807`.
+    /// Describes a change of this number to `value`, such as `x of D_u = 0.002 instead of
+    /// 0.001807`.
     fn describe(self, value: &str) -> String {
         let axis = ["x", "y"][self.row];
         let vector = ["D_u", "D_v", "V_0"][self.column];
@@ -159,7 +160,7 @@ fn candidate_values_from_sky(
 }
 
 /// Finds the values of a number that reproduce the sky in the channel that depends on the number.
-/// Returns the interval of these values, or None if there are none.
+/// Returns the interval of these values, or None if no value does so.
 fn bound_by_sky(
     comparison: &Comparison,
     scene: &StepScene,
@@ -169,9 +170,10 @@ fn bound_by_sky(
     let (mut start, mut end) = (f64::NEG_INFINITY, f64::INFINITY);
     // A pixel counts as sky on three conditions:
     //
-    // - Our picture shows the sky there.
-    // - The blue of your pixel is 255.
-    // - One of red and green depends on the number. In the other one, your byte equals ours.
+    // - Our picture shows the sky at this pixel.
+    // - Your blue byte is 255.
+    // - Of red and green, only one channel depends on the number. In the other channel, your byte
+    //   equals ours.
     //
     // From step 4 on, a bright surface might pass for sky, so we look only at the upper third of
     // the picture, where there are hardly any highlights.

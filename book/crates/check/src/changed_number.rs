@@ -52,8 +52,8 @@ pub(crate) fn owner_names(scene: &StepScene, owner: Owner) -> Vec<String> {
     }
 }
 
-/// Returns the numbers in a range that somebody is likely to type: multiples of
-/// 1/`steps_per_unit`, in ascending order.
+/// Returns the numbers that somebody is likely to type: the multiples of 1/`steps_per_unit` in a
+/// range, in ascending order.
 fn numbers_in_typed_range(
     TypedRange { range: [start, end], steps_per_unit, .. }: TypedRange,
 ) -> impl Iterator<Item = f64> {

@@ -26,10 +26,10 @@ use crate::class::student::{StudentReport, check_student};
 use rayon::prelude::*;
 use std::path::Path;
 
-/// Reports on every picture in the students' folders. `names` lists the full names of the folders
-/// that should be there. With this list, the report says which folders are missing, and which
-/// folders aren't in the list. Only the `required` pictures count towards a student's points.
-/// If no pictures are required, all pictures count.
+/// Reports on every picture in the students' folders. `names` lists the full name of every folder
+/// that a student should have. With this list, the report says which folders are missing, and which
+/// folders aren't in the list. Only the `required` pictures count towards a student's points. If no
+/// pictures are required, all pictures count.
 pub fn report_on_class(
     folder: &Path,
     names: Option<&[String]>,
@@ -46,12 +46,15 @@ pub fn report_on_class(
         report
     };
     let mut students: Vec<_> = class.students.par_iter().map(check).collect();
-    let names_without_folder = listed_names.iter().flat_map(ListedNames::names_without_folder);
-    students.extend(names_without_folder.map(|name| StudentReport::without_folder(name, required)));
+    let names_that_have_no_folder =
+        listed_names.iter().flat_map(ListedNames::names_that_have_no_folder);
+    students.extend(
+        names_that_have_no_folder.map(|name| StudentReport::without_folder(name, required)),
+    );
     Ok(ClassReport { students, skipped_paths: class.skipped_paths })
 }
 
-/// Reports on a reader's own pictures in a folder, but not in its subfolders.
+/// Reports on a reader's own pictures in a folder. Ignores subfolders.
 pub fn report_on_own_pictures(
     folder: &Path,
     required: &[&'static str],

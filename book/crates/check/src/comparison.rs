@@ -1,5 +1,5 @@
-//! Compares a picture with ours pixel by pixel. Also contains the budget of the search for an
-//! explanation, which limits how many rays are computed and how many pixels are compared.
+//! Compares a picture with ours pixel by pixel. Also contains the budget, which limits how many
+//! rays the search for an explanation may compute, and how many pixels it may compare.
 
 use crate::step_scene::ObjectHit;
 use crate::target::Target;
@@ -62,8 +62,8 @@ impl<'a> Comparison<'a> {
         Some(Self { target, wrong, right, most_different })
     }
 
-    /// All pixels, beginning with the wrong ones: these soon rule out most proposed causes that
-    /// don't explain the picture.
+    /// All pixels. The wrong pixels come first, because they soon rule out most causes that don't
+    /// explain the picture.
     pub fn pixels(&self) -> impl Iterator<Item = &Pixel> {
         self.wrong.iter().chain(&self.right)
     }
@@ -79,8 +79,9 @@ pub(crate) fn scattered_positions(size: (u32, u32)) -> impl Iterator<Item = (u32
     (0..count).map(move |n| ((index(n) % columns) as u32, (index(n) / columns) as u32))
 }
 
-/// The number of rays that may still be computed, or of pixels that may still be compared. It
-/// limits the running time. Unlike a time limit, it leads to the same result on every machine.
+/// The number of rays that may still be computed, or of pixels that may still be compared. A budget
+/// limits the running time. Unlike a time limit, a budget leads to the same result on every
+/// machine.
 pub(crate) struct Budget(Cell<u32>);
 
 impl Budget {
@@ -92,7 +93,7 @@ impl Budget {
         self.0.get() == 0
     }
 
-    /// Subtracts a cost from the budget. If the budget is too small, spends what is left and
+    /// Subtracts a cost from the budget. If the cost exceeds the budget, spends what is left and
     /// returns false.
     pub fn spend(&self, cost: u32) -> bool {
         let rest = self.0.get().checked_sub(cost);
@@ -144,7 +145,7 @@ mod tests {
         assert_eq!(items, [3, 1, 2, 4]);
         assert!(!budget.holds_for_all(&mut items, 10, |item| *item != 3));
         assert_eq!(items, [3, 1, 2, 4]);
-        // The items that were tested have cost 30 and 10, so 60 are left.
+        // The first call tested three items, and the second call one item, so 60 are left.
         assert!(budget.holds_for_all(&mut items, 15, |item| *item < 5));
         assert!(budget.is_spent());
     }

@@ -19,8 +19,9 @@ const MAX_CAUSES: usize = 3;
 /// The maximum number of lines in a diff. Answers leave out longer diffs.
 const MAX_DIFF_LINES: usize = 4;
 
-/// The file that reads the program's options. A mistake in this file, such as a wrong default, has
-/// the same effect as typing other options. So it isn't a reason for [`OptionDoubts`].
+/// The file whose code reads the program's options. A mistake in this code, such as a wrong
+/// default, has the same effect as typing other options. So such a mistake isn't a reason for
+/// [`OptionDoubts`].
 const OPTIONS_FILE: &str = "steps/step01_rays/src/program.rs";
 
 /// A line for answers about exercises. We have no scenes for exercises, so we can't try out
@@ -98,8 +99,8 @@ pub(crate) fn explain(yours: &ReaderPicture, target: &Target) -> Explanation {
     });
     let described_causes = describe_causes(&causes, options.as_ref());
     let causes_line = whole_picture.as_ref().and(described_causes.first().cloned());
-    // How the whole picture differs comes first, because anybody can see it. The causes come next,
-    // and the facts after them.
+    // The line about the whole picture comes first, because that difference is plain to see. The
+    // causes come next, and the facts after them.
     let mut lines = whole_picture
         .into_iter()
         .chain(described_causes)
@@ -136,9 +137,9 @@ fn explain_options(
     }
 }
 
-/// Tries out changed numbers in the scene and changed cameras, and returns the changes that
-/// reproduce the whole picture. If the budget runs out, returns no changes at all, since those that
-/// weren't tried might reproduce the picture, too.
+/// Tries out different numbers in the scene and different cameras, and returns the changes that
+/// reproduce the whole picture. If the budget runs out, returns no changes at all, since the
+/// untried changes might reproduce the picture, too.
 fn find_number_and_camera_causes(comparison: &Comparison) -> Vec<Cause> {
     let Some(scene) = &comparison.target.scene else { return vec![] };
     let budget = Budget::new(MAX_RAYS);
@@ -238,7 +239,7 @@ mod tests {
     use super::*;
     use course::ShownMistake;
 
-    fn mistake(title: &'static str, file: &str) -> Mistake {
+    fn made_up_mistake(title: &'static str, file: &str) -> Mistake {
         Mistake {
             title,
             step: Step::Sphere,
@@ -250,7 +251,7 @@ mod tests {
     }
 
     fn cause(title: &'static str, file: &str) -> Cause {
-        Cause::Mistake(Box::leak(Box::new(mistake(title, file))))
+        Cause::Mistake(Box::leak(Box::new(made_up_mistake(title, file))))
     }
 
     #[test]
@@ -273,7 +274,7 @@ mod tests {
 
     #[test]
     fn mistake_is_shown_with_its_diff_if_short_and_its_reason_if_any() {
-        let short = mistake("slip", "a.rs");
+        let short = made_up_mistake("slip", "a.rs");
         assert_eq!(describe_mistake(&short), ["  - a", "  + b"]);
         let three_lines = Mistake { new: "b\nb\nb".to_owned(), ..short.clone() };
         assert_eq!(describe_mistake(&three_lines), ["  - a", "  + b", "  + b", "  + b"]);

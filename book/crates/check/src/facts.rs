@@ -14,23 +14,23 @@ use step01_rays::rgb8;
 
 const MAX_FACTS: usize = 3;
 
-/// The minimum number of wrong pixels for a sentence about every wrong pixel. With fewer, too many
-/// sentences are true by chance.
+/// The minimum number of wrong pixels for a sentence about every wrong pixel. With fewer pixels,
+/// too many sentences are true by chance.
 const MIN_PIXELS: usize = 16;
 
-/// For a sentence about every wrong pixel, these pixels must have at least this many different
-/// colours in our picture.
+/// The minimum number of different colours that the wrong pixels have in our picture, for a
+/// sentence about every wrong pixel.
 const MIN_COLOURS: usize = 4;
 
 /// Returns sentences that are true of the wrong pixels, strongest first. If we have a scene, the
-/// last sentence says where these pixels are.
+/// last sentence says where the wrong pixels are.
 pub(crate) fn find_facts(comparison: &Comparison) -> Vec<String> {
     let scene = comparison.target.scene.as_ref();
     let regions = scene.map(|scene| count_pixels_per_region(comparison, scene));
     let are_enough_evidence = are_enough_evidence(&comparison.wrong);
     let scene_if_enough_evidence = scene.filter(|_| are_enough_evidence);
-    // Pixels may be white because of too much light, and not because they are undrawn. In that
-    // case a curve fits, and we don't look for undrawn pixels.
+    // Pixels may be white because of too much light, and not because they are undrawn. In that case
+    // a curve fits the bytes, and we don't look for undrawn pixels.
     let curve = scene_if_enough_evidence.and_then(|scene| {
         byte_depends_on_our_intensity_sentence(comparison, scene)
             .or_else(|| byte_depends_on_our_byte_sentence(comparison, scene))
@@ -44,7 +44,7 @@ pub(crate) fn find_facts(comparison: &Comparison) -> Vec<String> {
             if all_exceed_byte_range(&comparison.wrong, scene) {
                 facts.push("Each wrong pixel has an intensity above 1 in ours.".to_owned());
             }
-            facts.extend(missing_light_sentence(&comparison.wrong, scene));
+            facts.extend(missing_terms_sentence(&comparison.wrong, scene));
         }
         if are_enough_evidence {
             facts.extend(one_colour_sentence(&comparison.wrong));
@@ -70,7 +70,7 @@ fn all_exceed_byte_range(pixels: &[Pixel], scene: &StepScene) -> bool {
 
 /// Names the terms that are missing from every wrong pixel: the smallest set of terms such that our
 /// sum without these terms gives your colours. Returns None if there is no such set.
-fn missing_light_sentence(wrong: &[Pixel], scene: &StepScene) -> Option<String> {
+fn missing_terms_sentence(wrong: &[Pixel], scene: &StepScene) -> Option<String> {
     let light_terms = |term| scene.light_names.map(|light| format!("the {term} term of {light}"));
     let ambient = ["the ambient term".to_owned()];
     let names = [&ambient[..], &light_terms("diffuse"), &light_terms("specular")].concat();
@@ -80,7 +80,7 @@ fn missing_light_sentence(wrong: &[Pixel], scene: &StepScene) -> Option<String> 
         _ => return None,
     };
     let is_left_out = |choice: usize, k: usize| choice >> k & 1 == 1;
-    // The choices don't include leaving out all terms, which would make every wrong pixel black.
+    // No choice leaves out all terms, because then every wrong pixel would be black.
     let choices = 1..(1_usize << count) - 1;
     let mut smallest_first = (1..count as u32)
         .flat_map(|terms| choices.clone().filter(move |choice| choice.count_ones() == terms));

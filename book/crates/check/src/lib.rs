@@ -6,12 +6,13 @@
 //! contains the scene, and the step whose functions draw the scene (`step_scene`).
 //!
 //! The [`Answer`] consists of a verdict, a headline, details and causes. What the answer says about
-//! pixels is true of every pixel that it mentions. The modules `check` and `explain` look for these
-//! explanations:
+//! pixels is true of every pixel that the answer mentions. The modules `check` and `explain` look
+//! for the following explanations:
 //!
 //! 1. The picture is **right**.
-//! 2. A right program draws it **with other options** (`other_options`). Then no code is blamed.
-//! 3. It is the right picture for a **different name**.
+//! 2. A right program draws the picture **with other options** (`other_options`). Then no code is
+//!    blamed.
+//! 3. It is a **different picture** of the course.
 //! 4. It is our picture, but **turned, cropped or enlarged** (`transformed`).
 //! 5. **Causes**: all changes we know of that reproduce every byte of the picture. A cause is a
 //!    listed mistake (`reader_picture`), a single changed number in the scene (`changed_number`),
@@ -26,8 +27,8 @@
 //! says what our program computes at this pixel.
 //!
 //! `check` also reports on a whole class, given a folder that contains one folder per student
-//! (`class`). For a list of names, it writes one sheet per name, with the numbers of the scene that
-//! is generated from this name (`class::scene_sheet`).
+//! (`class`). For a list of names, `check` writes one sheet per name, with the numbers of the scene
+//! that is generated from this name (`class::scene_sheet`).
 //!
 //! A `Budget` limits how many explanations are tried. It counts rays and pixels instead of seconds,
 //! so that the answer is the same on every machine. There is also a limit on how many bytes are

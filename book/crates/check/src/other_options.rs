@@ -46,7 +46,8 @@ pub(crate) struct Options {
     size: (u32, u32),
     fov_degrees: f64,
     samples: u32,
-    /// The number of pixels that were compared: all of them, unless that would take too many rays.
+    /// The number of pixels that were compared: all pixels, unless comparing all would take too
+    /// many rays.
     compared_count: usize,
     /// Whether the picture is one colour. Many options produce such a picture.
     is_one_colour: bool,
@@ -170,7 +171,8 @@ fn fine_angles_that_fit_border(yours: &RgbImage) -> impl Iterator<Item = f64> {
     let upper_sides = (0..rows / 2).flat_map(|j| [(0, j), (columns - 1, j)]);
     for (i, j) in (0..columns).map(|i| (i, 0)).chain(upper_sides) {
         let colour = yours.get_pixel(i, j);
-        // Below, `tan` is tan(θ/2). In the sky, V is (x tan, y tan, −1), so blue is 255.
+        // The variable `tan` stands for tan(θ/2). In the sky, V is (x tan, y tan, −1), so blue is
+        // 255.
         let x = 2.0 * f64::from(i) / side - 1.0;
         let y = (f64::from(rows - 1) - 2.0 * f64::from(j)) / side;
         for (factor, byte) in [(x, colour[0]), (y, colour[1])] {
@@ -195,9 +197,9 @@ fn fine_angles_that_fit_border(yours: &RgbImage) -> impl Iterator<Item = f64> {
     })
 }
 
-/// Returns the smallest and the largest of the numbers that lie in many intervals: in the maximum
-/// number of intervals, or in almost as many. We accept almost as many, because some intervals may
-/// be wrong: a highlight may pass for sky. If there are no intervals, returns 0 and infinity.
+/// Returns the smallest and the largest number that lie in the maximum number of intervals, or in
+/// almost as many. Almost as many are enough, because some intervals may be wrong: a highlight may
+/// pass for sky. If there are no intervals, returns 0 and infinity.
 fn find_almost_common_bounds(intervals: &[(f64, f64)]) -> (f64, f64) {
     if intervals.is_empty() {
         return (0.0, f64::INFINITY);
@@ -205,8 +207,8 @@ fn find_almost_common_bounds(intervals: &[(f64, f64)]) -> (f64, f64) {
     let starts = intervals.iter().map(|(start, _)| (*start, 1));
     let ends = intervals.iter().map(|(_, end)| (*end, -1));
     let mut changes: Vec<(f64, i32)> = starts.chain(ends).collect();
-    // Sort starts before ends, since a number at which one interval ends and another starts lies in
-    // both intervals.
+    // Sort starts before ends: if an interval ends where another starts, their common number lies
+    // in both.
     changes.sort_by(|a, b| a.0.total_cmp(&b.0).then(b.1.cmp(&a.1)));
     let counts: Vec<_> = changes
         .iter()
@@ -235,8 +237,8 @@ fn sampled_border_positions((columns, rows): (u32, u32)) -> impl Iterator<Item =
 
 /// Whether the pixel may be right with some number of samples. We compute only the colour at the
 /// pixel's centre. In the sky, colours change linearly, so the mean over the pixel equals the
-/// colour at its centre. Within an object, the two are close if pixels are small. At an edge, the
-/// mean may be anything, so we accept every colour.
+/// colour at its centre. Within an object, the mean is close to the colour at the centre if pixels
+/// are small. At an edge, the mean may be anything, so we accept every colour.
 fn may_be_right(scene: &StepScene, camera: &Camera, yours: &RgbImage, (i, j): (u32, u32)) -> bool {
     let (x, y) = (f64::from(i), f64::from(j));
     let seen_at = |(u, v)| scene.visible_hit(&camera.ray(x + u, y + v)).map(|hit| hit.object);

@@ -194,11 +194,11 @@ fn round_samples(bytes: &[u8]) -> Vec<u8> {
     bytes.chunks_exact(2).map(round).collect()
 }
 
-/// The pixels that are not opaque.
+/// How many pixels aren't opaque, and which of them comes first.
 #[derive(Default)]
 struct TransparentPixels {
     count: usize,
-    /// The index of the first of these pixels, counted row by row.
+    /// The index of the first pixel that isn't opaque, counted row by row.
     first: Option<usize>,
 }
 

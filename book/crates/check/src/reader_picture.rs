@@ -24,7 +24,8 @@ impl ReaderPicture {
         Self { rgb, is_transparent, file_notes: notes, hash: OnceCell::new() }
     }
 
-    /// Returns the hash of the picture, or None if the picture is too large to be in the table.
+    /// Returns the hash of the picture, or None if the picture is too large to be in the table of
+    /// hashes.
     fn hash(&self) -> Option<u64> {
         *self.hash.get_or_init(|| {
             let is_small = self.rgb.pixels().len() <= MAX_HASHED_PIXELS;

@@ -11,7 +11,7 @@ const MAX_REGIONS: usize = 3;
 /// The name of the region without objects.
 const SKY: &str = "the sky";
 
-/// The pixels that, in our picture, show the sky or a certain object.
+/// All pixels that show the sky in our picture, or all pixels that show a certain object.
 pub(crate) struct Region {
     name: String,
     pixel_count: usize,
@@ -42,8 +42,8 @@ pub(crate) fn count_pixels_per_region(comparison: &Comparison, scene: &StepScene
 }
 
 /// Says how many wrong pixels show what should be hidden behind an object, and names the objects
-/// that are missing from your picture. Returns None if no object is missing and these wrong pixels
-/// are so few that they may have their colours by chance.
+/// that are missing from your picture. Returns None if no object is missing and less than a tenth
+/// of the wrong pixels show what should be hidden. So few pixels may do so by chance.
 pub(crate) fn colours_from_behind_sentence(regions: &[Region]) -> Option<String> {
     let from_behind: usize = regions.iter().map(|region| region.from_behind_count).sum();
     let wrong: usize = regions.iter().map(|region| region.wrong_count).sum();

@@ -11,7 +11,7 @@ const MAX_COMPARED_PIXELS: u32 = 1 << 26;
 const MIN_PIXELS: usize = 100;
 
 /// Maps a position in our picture to the position of the same pixel in the turned picture. The
-/// second argument consists of the numbers of our last column and our last row.
+/// second argument is the position of the last pixel in our picture.
 type Turn = fn((u32, u32), (u32, u32)) -> (u32, u32);
 
 const TURNS: [(&str, Turn); 6] = [
@@ -30,7 +30,7 @@ const CHANNEL_ORDERS: [(&str, [usize; 3]); 4] = [
     ("with green and blue exchanged", [0, 2, 1]),
 ];
 
-/// Describes a picture if it is our picture turned, cropped, enlarged or with its channels swapped.
+/// Describes a picture if it is ours, but turned, cropped, enlarged or with channels swapped.
 /// Returns None for all other pictures. `title` is a phrase that stands for our picture, such as
 /// `the picture of glass`.
 pub(crate) fn describe_transformed(
@@ -46,7 +46,8 @@ pub(crate) fn describe_transformed(
     is_ours.then(|| format!("This is {title}, {}.", clauses.join(", or ")))
 }
 
-/// Describes a picture if it is one colour. Returns None for all other pictures.
+/// Describes a picture if all of its pixels have the same colour. Returns None for all other
+/// pictures.
 pub(crate) fn describe_uniform(picture: &RgbImage) -> Option<String> {
     let [r, g, b] = uniform_colour(picture)?;
     Some(format!("Your picture is one colour, ({r}, {g}, {b}), in all pixels."))
@@ -98,7 +99,7 @@ fn part_or_enlarged_clause(yours: &RgbImage, ours: &RgbImage) -> Option<String> 
 }
 
 /// Finds the column and row in `whole` at which `part` begins. Returns None if `part` doesn't occur
-/// in `whole` or is too small to tell, or if the budget runs out.
+/// in `whole`, if `part` is too small to be recognised, or if the budget runs out.
 fn find_corner(part: &RgbImage, whole: &RgbImage) -> Option<(u32, u32)> {
     let (w, h) = part.dimensions();
     let (columns, rows) = (whole.width().checked_sub(w)?, whole.height().checked_sub(h)?);

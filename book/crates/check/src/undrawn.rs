@@ -3,8 +3,8 @@
 use crate::comparison::{Comparison, Pixel};
 use std::collections::BTreeSet;
 
-/// The minimum number of pixels that we call undrawn. If they form a border, at least as many
-/// pixels have to lie inside the border.
+/// The minimum number of pixels that we call undrawn. It is also the minimum number of pixels that
+/// a border has to surround.
 const MIN_PIXELS: usize = 100;
 
 /// The maximum number of rectangles that a sentence names.
@@ -16,17 +16,17 @@ const LARGEST_PERIOD: u32 = 64;
 const BLACK: [u8; 3] = [0; 3];
 const WHITE: [u8; 3] = [255; 3];
 
-/// Describes wrong pixels that form a simple shape and are black or white, so that they may be
-/// undrawn. The sentence about white pixels doesn't mention this reason, since too much light also
-/// makes pixels white.
+/// Describes black or white wrong pixels that form a simple shape. Black pixels may never have been
+/// drawn. The sentence about white pixels doesn't say that, since too much light also makes pixels
+/// white.
 ///
 /// Black pixels that form no simple shape are described only on two conditions: every wrong pixel
-/// is black, and a part of the sky is wrong, but not all of it.
+/// is black, and the sky has both wrong and right pixels.
 pub(crate) fn undrawn_sentence(comparison: &Comparison) -> Option<String> {
-    black_pixels_sentence(comparison).or_else(|| white_pixels_sentence(comparison))
+    black_pixels_sentence(comparison).or_else(|| white_shape_sentence(comparison))
 }
 
-/// Describes the black pixels among the wrong ones, and says whether they may be undrawn.
+/// Describes the wrong pixels that are black, and says whether they may be undrawn.
 fn black_pixels_sentence(comparison: &Comparison) -> Option<String> {
     let mask = Mask::of_colour_if_common(comparison, BLACK)?;
     let Comparison { wrong, right, target, .. } = comparison;
@@ -51,8 +51,8 @@ fn black_pixels_sentence(comparison: &Comparison) -> Option<String> {
     is_all.then(|| format!("All {count} wrong pixels are black, as if never drawn."))
 }
 
-/// Describes the white pixels among the wrong ones if they form a simple shape.
-fn white_pixels_sentence(comparison: &Comparison) -> Option<String> {
+/// Describes the wrong pixels that are white. Returns None if these pixels form no simple shape.
+fn white_shape_sentence(comparison: &Comparison) -> Option<String> {
     let mask = Mask::of_colour_if_common(comparison, WHITE)?;
     let Shape { words, .. } = mask.find_shape()?;
     Some(format!("{} wrong pixels are white: {words}.", mask.inside_count()))
@@ -87,7 +87,7 @@ enum Membership {
     Outside,
 }
 
-/// The direction of a line of pixels.
+/// Whether a line of pixels is a column or a row.
 #[derive(Clone, Copy)]
 enum LineKind {
     Column,
@@ -153,7 +153,7 @@ impl Mask {
     }
 
     /// Tries all kinds of shapes that we know, and returns the first shape that fits. Returns None
-    /// if no shape fits, or if the shape is the whole picture.
+    /// if no shape fits, or if every pixel has the mask's colour.
     fn find_shape(&self) -> Option<Shape> {
         if !self.memberships.contains(&Membership::Outside) {
             return None;
@@ -294,7 +294,7 @@ impl Mask {
 
     /// Looks for a shape that repeats. `number` gives each pixel a number. The shape must consist
     /// of all pixels whose number, divided by a period, leaves certain remainders. Returns the
-    /// smallest such period, and these remainders.
+    /// smallest period for which the shape fits, and the remainders.
     fn find_period(&self, number: impl Fn(u32, u32) -> u32) -> Option<(u32, BTreeSet<u32>)> {
         let inside: Vec<_> = self.inside_positions().map(|(i, j)| number(i, j)).collect();
         (2..=LARGEST_PERIOD).find_map(|period| {
@@ -305,8 +305,8 @@ impl Mask {
     }
 
     /// Describes rows or columns. Examples are `row 3`, `rows 3 to 9` and `every 2nd row from 1 to
-    /// 359`. Returns None if `lines` is empty, or if it contains all rows or all columns of the
-    /// picture.
+    /// 359`. Returns None if `lines` is empty, or if `lines` contains every row or every column of
+    /// the picture.
     fn format_lines(&self, kind: LineKind, lines: &BTreeSet<u32>) -> Option<String> {
         let (word, all) = match kind {
             LineKind::Column => ("column", self.columns),
@@ -332,8 +332,8 @@ fn join_columns_and_rows(columns: &Option<String>, rows: &Option<String>) -> Opt
     (!known.is_empty()).then(|| known.join(" of "))
 }
 
-/// Describes a pattern that repeats, such as `every 3rd pixel`. If each period contains two pixels,
-/// the description is of the form `2 of every 5 pixels`.
+/// Describes a pattern that repeats, such as `every 3rd pixel`. If each period contains several
+/// pixels, the description is of the form `2 of every 5 pixels`.
 fn format_period(pixel_or_diagonal: &str, period: u32, count_per_period: usize) -> String {
     match count_per_period {
         1 => format!("every {} {pixel_or_diagonal}", format_ordinal(period)),
@@ -366,7 +366,7 @@ mod tests {
     }
 
     #[test]
-    fn lines_are_described_by_the_first_the_last_and_the_step() {
+    fn rows_and_columns_are_described_by_the_first_the_last_and_the_step() {
         let mask = mask_with_ten_rows(12, |_, _| true);
         let format =
             |kind, lines: &[u32]| mask.format_lines(kind, &lines.iter().copied().collect());

@@ -50,8 +50,8 @@ fn report_on_download<const COUNT: usize>(
     (format!("{platform}, {title}"), text)
 }
 
-/// Right pictures, wrong ones, and files that aren't pictures.
-struct SubmittedFiles {
+/// The contents of right pictures, of wrong pictures, and of files that aren't pictures.
+struct SubmittedContents {
     rays: Vec<u8>,
     sphere: Vec<u8>,
     /// `rays` upside down.
@@ -64,8 +64,8 @@ struct SubmittedFiles {
     text: Vec<u8>,
 }
 
-fn submitted_files() -> SubmittedFiles {
-    SubmittedFiles {
+fn submitted_contents() -> SubmittedContents {
+    SubmittedContents {
         rays: locked_file("step01_rays"),
         sphere: locked_file("step02_sphere"),
         flipped: encode(image::imageops::flip_vertical(&locked_picture("step01_rays"))),
@@ -78,11 +78,11 @@ fn submitted_files() -> SubmittedFiles {
 
 const FOLDERS: &str = "**Moodle, D2L Brightspace, Gradescope and GitHub**";
 
-/// About two dozen students submit files on seven platforms. The reports call each picture right,
-/// or name it so that the teacher looks at it.
+/// About two dozen students submit files on seven platforms. Each report calls a picture right, or
+/// names the picture so that the teacher looks at it.
 #[test]
 fn made_up_downloads_are_reported_as_locked() {
-    let SubmittedFiles { rays, sphere, flipped, bgr, small, jpeg, text } = submitted_files();
+    let SubmittedContents { rays, sphere, flipped, bgr, small, jpeg, text } = submitted_contents();
     let zip = || b"PK\x03\x04".to_vec();
     let reports = [
         report_on_download(

@@ -42,8 +42,8 @@ fn right_programs_with_options_are_blamed_for_nothing() {
     for k in 0..40 {
         let step = Step::ALL[k % 5];
         let decimals = [1, 10, 100, 1000][k / 10];
-        // `check` finds the decimals of the angle from the sky at the picture's border. Below 40°,
-        // there may be no sky at the border.
+        // `check` finds the decimals of the angle from the sky at the picture's border. With an
+        // angle below 40°, the border may not show the sky.
         let fov_degrees =
             f64::from(random.u32(40 * decimals..150 * decimals)) / f64::from(decimals);
         let (columns, rows) = (random.u32(16..200), random.u32(16..200));
@@ -57,7 +57,7 @@ fn right_programs_with_options_are_blamed_for_nothing() {
     }
 }
 
-/// In these pictures, a highlight on the right border is as blue as the sky.
+/// In these pictures, a highlight at the right-hand border is as blue as the sky.
 #[test]
 fn fields_of_view_are_found_despite_highlights_on_the_border() {
     let step = Step::Phong;

@@ -1,5 +1,5 @@
 //! Tests what `check` says about every kind of picture that a reader may have. The answers are in
-//! snapshots. When you review these, read the answers as a reader of the book would.
+//! snapshots. When you review a snapshot, read the answers as a reader of the book would.
 
 mod class;
 #[cfg(unix)]
@@ -31,7 +31,8 @@ fn locked_picture(name: &str) -> RgbImage {
     read_locked_picture(name).expect("the locked picture can be read")
 }
 
-/// Returns the locked picture `name`, with each pixel changed according to its position and colour.
+/// Returns the locked picture `name` with changed pixels. `change` turns a pixel's column, row and
+/// colour into a new colour.
 fn map_locked(name: &str, change: impl Fn(u32, u32, [u8; 3]) -> [u8; 3]) -> RgbImage {
     let ours = locked_picture(name);
     RgbImage::from_fn(640, 360, |i, j| Rgb(change(i, j, ours.get_pixel(i, j).0)))

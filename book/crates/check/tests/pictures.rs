@@ -2,7 +2,7 @@
 //!
 //! - our whole picture, for instance upside down or enlarged
 //! - our picture with one change
-//! - pictures that come from mistakes that aren't listed
+//! - pictures that result from unlisted mistakes
 //! - scenes that are generated from names
 
 use crate::{
@@ -208,7 +208,7 @@ fn answers_about_colours_are_as_locked() {
 }
 
 #[test]
-fn answers_about_named_scenes_are_as_locked() {
+fn answers_about_scenes_generated_from_names_are_as_locked() {
     let ada = course::generate_scene("ada");
     let mut small_ball = ada.clone();
     small_ball.objects[3].sphere.radius = 1.0;
@@ -223,5 +223,5 @@ fn answers_about_named_scenes_are_as_locked() {
         let answer = check_scene_png(&encode(picture), "my.png", name);
         (format!("{title}, {name}"), format_answer(answer))
     };
-    assert_locked("named_scenes", rows.map(answer));
+    assert_locked("scenes_generated_from_names", rows.map(answer));
 }

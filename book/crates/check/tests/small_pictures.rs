@@ -1,5 +1,5 @@
-//! Locks answers about small pictures, because many of these can be checked in a short time. For
-//! each sentence about wrong pixels, one picture just meets the sentence's condition, and another
+//! Locks answers about small pictures, since checking a small picture takes little time. For each
+//! sentence about wrong pixels, one picture just meets the sentence's condition, and another
 //! picture just misses it.
 
 use crate::{assert_locked, encode, format_answer};
@@ -14,7 +14,7 @@ use step05_phong::{Light, Material, Ray, Scene, phong, visible_point};
 const COLUMNS: u32 = 64;
 const ROWS: u32 = 36;
 
-/// Draws the right picture called `name`, at the small size.
+/// Draws the course's picture `name` at the small size.
 fn draw_small(name: &str) -> Result<RgbImage, String> {
     let draw = find_draw_function(name).ok_or("no such picture")?;
     Ok(draw(&camera_with_size(COLUMNS, ROWS), 1))
@@ -24,7 +24,8 @@ fn draw_small_step(step: Step) -> RgbImage {
     draw_small(step.name()).expect("each step has a picture")
 }
 
-/// Returns the picture of a step, with each pixel changed according to its position and colour.
+/// Draws the picture of a step and changes its pixels. `change` turns a pixel's column, row and
+/// colour into a new colour.
 fn map_small(step: Step, change: impl Fn(u32, u32, [u8; 3]) -> [u8; 3]) -> RgbImage {
     let ours = draw_small_step(step);
     RgbImage::from_fn(COLUMNS, ROWS, |i, j| Rgb(change(i, j, ours[(i, j)].0)))
@@ -68,8 +69,8 @@ fn facts_of_small_pictures_are_as_locked() {
         let sky = draw_small_step(Rays);
         map_small(Phong, move |i, j, ours| if ours == sky[(i, j)].0 { ours } else { change(ours) })
     };
-    // Changes `count` pixels of the red sphere. Five of them show the sky, and the others have a
-    // wrong colour.
+    // Changes `count` pixels of the red sphere. Five of these pixels show the sky, and the rest are
+    // nearly black.
     let few_show_the_sky = |count: usize| {
         let (mut picture, sky) = (draw_small_step(Nearest), draw_small_step(Rays));
         let red = picture.enumerate_pixels().filter(|(_, _, colour)| colour.0 == [232, 87, 71]);
@@ -148,8 +149,7 @@ fn facts_of_small_pictures_are_as_locked() {
                 Nearest,
                 map_small(Nearest, |i, j, c| if j < 10 { [9, 9, (i % 2) as u8] } else { c }),
             ),
-            // In these pictures, all or almost all bytes depend only on our intensity, or only on
-            // our byte.
+            // These pictures are made from ours by a rule for bytes, such as halving each byte.
             ("falling bytes", Phong, map_small(Phong, |_, _, c| c.map(|b| 255 - b))),
             ("falling bytes", Rays, map_small(Rays, |_, _, c| c.map(|b| 255 - b))),
             ("half", Sphere, map_small(Sphere, |_, _, c| c.map(|b| b / 2))),
@@ -296,7 +296,7 @@ fn facts_of_small_pictures_are_as_locked() {
 }
 
 #[test]
-fn shapes_of_undrawn_pixels_are_as_locked() {
+fn answers_about_shapes_of_undrawn_pixels_are_as_locked() {
     let of_colour = |colour, is_undrawn: fn(u32, u32) -> bool| {
         map_small(Step::Rays, |i, j, ours| if is_undrawn(i, j) { colour } else { ours })
     };

@@ -108,7 +108,7 @@ mod tests {
         Answer::new(verdict, "The headline.".to_owned())
     }
 
-    fn feedback_on_options(doubts: OptionDoubts) -> Feedback {
+    fn feedback_on_other_options(doubts: OptionDoubts) -> Feedback {
         let answer = Answer { option_doubts: doubts, ..answer(Verdict::OtherOptions) };
         judge(&Ok(answer), &[])
     }
@@ -124,14 +124,14 @@ mod tests {
 
     #[test]
     fn other_options_earn_the_point_unless_something_else_may_give_the_picture() {
-        let plain = feedback_on_options(OptionDoubts::default());
+        let plain = feedback_on_other_options(OptionDoubts::default());
         assert!(plain.earns_point());
         assert_eq!(plain.sentence, "The headline.");
         let one_colour =
-            feedback_on_options(OptionDoubts { is_one_colour: true, ..Default::default() });
+            feedback_on_other_options(OptionDoubts { is_one_colour: true, ..Default::default() });
         assert!(!one_colour.earns_point());
         assert_eq!(one_colour.sentence, "The headline.");
-        let mistaken = feedback_on_options(OptionDoubts {
+        let mistaken = feedback_on_other_options(OptionDoubts {
             mistakes: vec![&mistakes()[0]],
             ..Default::default()
         });

@@ -10,8 +10,8 @@ use std::io;
 use std::path::{Path, PathBuf};
 use thiserror::Error;
 
-/// The maximum number of entries in a class's folder. The same limit holds for a student's folder
-/// together with its subfolders.
+/// The maximum number of files and folders in a class's folder. A student's folder and its
+/// subfolders together have the same limit.
 pub(crate) const MAX_ENTRIES: usize = 10_000;
 
 /// The maximum depth of nested folders. The student's own folder has depth 1.
@@ -30,7 +30,7 @@ const PICTURE_EXTENSIONS: [&str; 14] = [
 /// Why a folder can't be reported on. The paths are escaped for a terminal.
 #[derive(Debug, Error)]
 pub enum FolderError {
-    /// The path isn't a folder, or the system can't read it.
+    /// The path isn't a folder, or the folder can't be read.
     #[error("{0} is not a folder that can be read")]
     Unreadable(String),
     /// The folder has too many entries.
@@ -92,7 +92,7 @@ impl FoundFile {
     }
 }
 
-/// Reads a class's folder, in which every folder is a student's.
+/// Reads a class's folder. Every folder inside belongs to one student.
 pub(crate) fn read_class_folder(folder: &Path) -> Result<ClassFolder, FolderError> {
     let mut class = ClassFolder { students: vec![], skipped_paths: SkippedPaths::default() };
     for entry in read_top_folder(folder)? {
@@ -113,7 +113,7 @@ pub(crate) fn read_class_folder(folder: &Path) -> Result<ClassFolder, FolderErro
     Ok(class)
 }
 
-/// Finds a reader's own pictures in a folder, but not in its subfolders.
+/// Finds a reader's own pictures in a folder. Ignores subfolders.
 pub(crate) fn find_own_pictures(folder: &Path) -> Result<FolderContents, FolderError> {
     let mut contents = FolderContents::default();
     for entry in read_top_folder(folder)? {
@@ -191,7 +191,7 @@ fn read_top_folder(folder: &Path) -> Result<Vec<DirEntry>, FolderError> {
 }
 
 /// Reads the entries of a folder, sorted by name. If there are more than `max_entries`, returns an
-/// error. We can't use the first few entries, because their order in the file system is arbitrary.
+/// error instead of the first few entries, because their order in the file system is arbitrary.
 fn read_entries(folder: &Path, max_entries: usize) -> Result<Vec<DirEntry>, SkipReason> {
     let mut entries = fs::read_dir(folder)
         .and_then(|entries| entries.take(max_entries + 1).collect::<io::Result<Vec<_>>>())

@@ -99,7 +99,7 @@ impl<'a> ListedNames<'a> {
     }
 
     /// The names without a folder, in the order of the list.
-    pub fn names_without_folder(&self) -> impl Iterator<Item = &'a str> {
+    pub fn names_that_have_no_folder(&self) -> impl Iterator<Item = &'a str> {
         self.names.iter().map(String::as_str).filter(|name| !self.has_folder[name])
     }
 }
@@ -131,6 +131,6 @@ mod tests {
             students.each_ref().map(|student| listed_names.note(student))
                 == [None, Some(Note::NotInList)]
         );
-        assert_eq!(listed_names.names_without_folder().collect::<Vec<_>>(), ["Ada"]);
+        assert_eq!(listed_names.names_that_have_no_folder().collect::<Vec<_>>(), ["Ada"]);
     }
 }

@@ -39,7 +39,7 @@ impl ClassReport {
         }
     }
 
-    /// Formats the report for a terminal: a row for each student, followed by a row for each of the
+    /// Formats the report for a terminal: a row for each student, followed by rows for the
     /// student's files and missing pictures.
     pub fn to_table(&self) -> String {
         let head = ["student", "points", "picture", "verdict", "feedback"];
@@ -59,8 +59,8 @@ impl ClassReport {
     }
 
     /// Formats the report for a spreadsheet. The byte order mark at the start tells the spreadsheet
-    /// that this is UTF-8. The column `points` has numbers only in the rows of students, and the
-    /// column `point` only in the rows of pictures, so that each column can be summed.
+    /// that the text is UTF-8. The column `points` has numbers only in the rows of students, and
+    /// the column `point` only in the rows of pictures, so that each column can be summed.
     pub fn to_csv(&self) -> String {
         let mut rows = vec![];
         for student in &self.students {
@@ -153,8 +153,7 @@ impl OwnPicturesReport {
         ])
     }
 
-    /// The number of counted pictures that are right. Such a picture has files, and every one of
-    /// them is right.
+    /// The number of counted pictures that have at least one file, and whose files are all right.
     fn right_count(&self) -> usize {
         let is_right =
             |file: &FileReport| file.feedback.verdict == FileVerdict::Compared(Verdict::Right);
@@ -165,11 +164,11 @@ impl OwnPicturesReport {
     }
 }
 
-/// A row about a file. A missing picture also has a row, although it has no file.
+/// A row about a file or about a missing picture.
 struct FileRow {
     picture: String,
-    /// The point for the picture, 1 or 0. None in all but the picture's first row, and if the
-    /// picture doesn't count.
+    /// The point for the picture: 1 or 0. None if the picture doesn't count, or if an earlier row
+    /// already has the picture's point.
     point: Option<u8>,
     verdict: String,
     feedback: String,
@@ -180,7 +179,7 @@ struct FileRow {
 
 impl FileRow {
     /// The feedback. If the picture has several files, or if the file is in a subfolder, the path
-    /// of the file precedes the feedback. From these paths, a person can tell if a student's folder
+    /// of the file precedes the feedback. The paths show a teacher whether a student's folder
     /// really holds the work of several students.
     fn feedback_with_path_if_needed(&self) -> String {
         let needs_path = |path: &&str| self.is_one_of_several || path.contains('/');
@@ -190,7 +189,7 @@ impl FileRow {
     }
 }
 
-/// Returns a row for each of a student's files, and one for each missing picture.
+/// Returns a row for each of a student's files, and a row for each missing picture.
 fn file_rows_of_student(student: &StudentReport) -> Vec<FileRow> {
     student.pictures.iter().flat_map(file_rows_of_picture).collect()
 }

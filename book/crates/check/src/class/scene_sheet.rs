@@ -1,6 +1,6 @@
-//! The sheet for a name. It lists the numbers of the scene that is generated from this name, so
-//! that a student can type them in Rust. It also sets problems about these numbers, to be solved on
-//! paper.
+//! The sheet for a name. The sheet lists the numbers of the scene that is generated from this name,
+//! so that a student can type these numbers in Rust. The sheet also sets problems about the scene,
+//! to be solved on paper.
 
 use crate::changed_number::{format_quantity, owner_names};
 use crate::class::table::align_columns;
@@ -40,12 +40,12 @@ pub enum SheetError {
     /// A name is in the list twice.
     #[error("{0} is in the list twice, and each name has one sheet")]
     Twice(String),
-    /// Two names would have the same file name.
+    /// The sheets of two names would have the same file name.
     #[error("the sheets of {first} and {second} would both be written to {file}")]
     SameFile {
         /// The name that comes first in the list.
         first: String,
-        /// The other name.
+        /// The name that comes second in the list.
         second: String,
         /// The file name.
         file: String,
@@ -55,8 +55,8 @@ pub enum SheetError {
     Write(#[from] WriteFolderError),
 }
 
-/// The contents of a sheet.
-struct Sheet {
+/// The contents of the sheet for one name.
+struct SceneSheet {
     name: String,
     /// Three tables: for the objects, for the lights and for the scene. The first row of each table
     /// consists of the headings.
@@ -79,7 +79,7 @@ struct ProblemPixel {
 /// Formats the sheet for a name as Markdown. If there is a secret word, the scene is generated from
 /// the name and this word, so nobody can generate it from the name alone.
 pub fn format_sheet(name: &str, secret: Option<&str>) -> String {
-    Sheet::new(name, secret).to_markdown()
+    SceneSheet::new(name, secret).to_markdown()
 }
 
 /// Writes the sheets for a class to a folder that doesn't exist yet. There is one file for each
@@ -93,7 +93,7 @@ pub fn write_sheets(
 ) -> Result<String, SheetError> {
     let mut files = vec![];
     let mut names_of_files = HashMap::new();
-    let sheets: Vec<_> = names.iter().map(|name| Sheet::new(name, secret)).collect();
+    let sheets: Vec<_> = names.iter().map(|name| SceneSheet::new(name, secret)).collect();
     for (name, sheet) in iter::zip(names, &sheets) {
         let file = file_name(name);
         // Some file systems ignore case.
@@ -106,10 +106,10 @@ pub fn write_sheets(
         }
         files.push(NewFile { name: file, text: sheet.to_markdown() });
     }
-    let text = html_page("sheets", sheets.iter().map(Sheet::to_html));
+    let text = html_page("sheets", sheets.iter().map(SceneSheet::to_html));
     files.push(NewFile { name: SHEETS_FILE.to_owned(), text });
     if with_answers {
-        let text = html_page("answers", sheets.iter().map(Sheet::answers_to_html));
+        let text = html_page("answers", sheets.iter().map(SceneSheet::answers_to_html));
         files.push(NewFile { name: ANSWERS_FILE.to_owned(), text });
     }
     Ok(write_new_folder(folder, &files)?)
@@ -122,7 +122,7 @@ fn file_name(name: &str) -> String {
     format!("{}.md", name.replace(is_refused, "_"))
 }
 
-impl Sheet {
+impl SceneSheet {
     fn new(name: &str, secret: Option<&str>) -> Self {
         let scene_name = match secret {
             Some(secret) => format!("{name} {secret}"),
@@ -142,8 +142,8 @@ impl Sheet {
             "Name: ______________________________  Points: _____ of 12".to_owned(),
             "Work with six decimals, and give four.".to_owned(),
         ];
-        // Derive the pixel from the numbers instead of the name. If two spellings of a name give
-        // the same scene, they then also give the same pixel.
+        // Derive the pixel from the numbers instead of the name. Two spellings of a name that give
+        // the same scene then also give the same pixel.
         let pixels_to_skip = fnv_1a(tables.concat().concat().concat().bytes()) % 10_000;
         let pixel = find_problem_pixel(&scene, pixels_to_skip as usize);
         let (problems, answers) =
@@ -160,7 +160,7 @@ impl Sheet {
     fn to_markdown(&self) -> String {
         let mut markdown = format!("# The scene of {}\n\n", self.name);
         for table in &self.tables {
-            // Indent the lines. This makes them code in Markdown, so that the columns stay aligned.
+            // Indent the lines. Indented lines are code in Markdown, so the columns stay aligned.
             let lines = align_columns(table);
             markdown.extend(lines.lines().flat_map(|line| ["    ", line, "\n"]));
             markdown += "\n";
@@ -195,8 +195,9 @@ impl Sheet {
     }
 }
 
-/// Builds a table of the numbers that belong to the given kind of owner, as they are typed in Rust.
-/// Leaves out the numbers that matter only if the scene has mirrors.
+/// Builds a table with one row for each owner of the given kind, for example for each object. The
+/// numbers are formatted as they are typed in Rust. Leaves out the numbers that matter only if the
+/// scene has mirrors.
 fn number_table(scene: &StepScene, owner: Owner) -> Vec<Vec<String>> {
     let is_seen =
         |quantity: &&Quantity| !quantity.scalars.iter().any(|scalar| scalar.needs_mirrors);
@@ -211,7 +212,8 @@ fn number_table(scene: &StepScene, owner: Owner) -> Vec<Vec<String>> {
     iter::once(head.collect()).chain(rows).collect()
 }
 
-/// Finds a pixel that shows a ball with a highlight. The pixel is of the first kind that occurs:
+/// Finds a pixel that shows a ball with a highlight. The pixel is of the first of these kinds that
+/// occurs in the picture:
 ///
 /// 1. Both lights are bright on the visible ball, and the ray meets a second ball.
 /// 2. Both lights are bright on the visible ball, and the ray meets no other ball.
@@ -248,7 +250,7 @@ fn problem_pixel_of_ray(scene: &StepScene, position: (u32, u32), ray: Ray) -> Op
 
 impl ProblemPixel {
     /// Whether each of the first `light_count` lights is bright at the visible point, and whether
-    /// these lights together make a highlight there.
+    /// these lights together make a highlight at this point.
     fn is_bright_with_highlight(&self, light_count: usize, scene: &StepScene) -> bool {
         let mut sum = Terms::default();
         for light in &scene.own.scene.lights[..light_count] {

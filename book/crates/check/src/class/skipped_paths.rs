@@ -8,7 +8,7 @@ const MAX_LISTED: usize = 100;
 /// The maximum number of skipped paths that are listed in a clause.
 const MAX_IN_CLAUSE: usize = 8;
 
-/// The first few paths that were skipped, and the number of all paths that were skipped.
+/// The first skipped paths, up to `MAX_LISTED` of them, and the number of all skipped paths.
 #[derive(Debug, Default)]
 pub(crate) struct SkippedPaths {
     pub first: Vec<SkippedPath>,
@@ -27,7 +27,7 @@ pub(crate) struct SkippedPath {
 pub(crate) enum SkipReason {
     /// The file isn't named after a picture.
     OtherName,
-    /// The file is next to the students' folders instead of inside one.
+    /// The file is in the class's folder, but not in a student's folder.
     BesideFolders,
     Link,
     ToolFolder,
@@ -49,9 +49,9 @@ impl SkippedPaths {
         self.count == 0
     }
 
-    /// Returns a clause that lists the first few skipped paths, and then says how many more there
-    /// are. Files that aren't named after a picture are last in the list. Returns None if nothing
-    /// was skipped.
+    /// Returns a clause that lists up to `MAX_IN_CLAUSE` skipped paths, and says how many more were
+    /// skipped. Files that aren't named after a picture come last. Returns None if nothing was
+    /// skipped.
     pub fn clause(&self) -> Option<String> {
         let mut sorted: Vec<_> = self.first.iter().collect();
         sorted.sort_by_key(|file| file.reason == SkipReason::OtherName);
@@ -85,7 +85,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn clause_begins_with_paths_that_have_a_reason_and_counts_the_rest() {
+    fn clause_puts_other_names_last_and_counts_paths_beyond_the_eighth() {
         let mut skipped = SkippedPaths::default();
         assert_eq!(skipped.clause(), None);
         skipped.add("a.txt".to_owned(), SkipReason::OtherName);

@@ -25,9 +25,10 @@ pub(crate) struct StudentReport {
 pub(crate) struct PictureReport {
     /// The name of the picture.
     pub picture: &'static str,
-    /// Whether the picture counts towards the points. If no picture is required, all count.
+    /// Whether the picture counts towards the points. If no picture is required, all pictures
+    /// count.
     pub is_counted: bool,
-    /// The checked files that are named after this picture. If there are none, the picture is
+    /// The checked files that are named after this picture. If this list is empty, the picture is
     /// missing.
     pub files: Vec<FileReport>,
     /// The number of files named after this picture, including those that weren't checked.
@@ -100,8 +101,8 @@ impl StudentReport {
 }
 
 impl PictureReport {
-    /// Whether the picture has earned its point. For that, it needs at least one file, and every
-    /// one of its files has to earn the point. A file that wasn't checked doesn't earn the point.
+    /// Whether the picture has earned its point: there is at least one file of the picture, and
+    /// every file earns the point. A file that wasn't checked doesn't earn the point.
     pub fn earns_point(&self) -> bool {
         let deserving = self.files.iter().filter(|file| file.feedback.earns_point());
         self.file_count > 0 && deserving.count() == self.file_count
@@ -165,7 +166,7 @@ fn check_file(file: &FoundFile, picture: &'static str, earlier: &[PictureReport]
     let result = read_bounded_file(&file.path)
         .map_err(CheckError::from)
         .and_then(|png| check_png(&png, file.printable_name(), Some(picture), read_locked_picture))
-        // Drop the pictures: those of a whole class would take too much memory.
+        // Drop the pictures, because the pictures of a whole class would take too much memory.
         .map(|answer| Answer { compared_pictures: None, ..answer });
     let feedback = judge(&result, earlier);
     FileReport { printable_path: file.printable_path.clone(), result, feedback }
