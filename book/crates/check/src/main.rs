@@ -17,7 +17,7 @@ use std::{env, fs};
 
 /// Reports whether a picture is right and, if it isn't, what's wrong with it.
 ///
-/// Without a file, it looks for the pictures of the course in the current folder
+/// Without a file, looks for the pictures of the course in the current folder
 /// and reports which of them are right.
 ///
 /// The exit code is 0 if everything is right, 1 if something is wrong, and 2 if
@@ -35,13 +35,13 @@ struct Arguments {
     #[arg(long = "in", value_name = "FOLDER", conflicts_with = "file")]
     folder: Option<PathBuf>,
     /// Prints the sheet for a name: the numbers of that name's scene, and problems to solve on
-    /// paper. With a file, checks whether it is the picture of this scene
+    /// paper. With a file, checks whether the file is the picture of this scene
     #[arg(long, value_name = "NAME", group = "sheet", conflicts_with_all = ["name", "folder"])]
     #[arg(value_parser = NonEmptyStringValueParser::new().map(|name| compose_characters(&name)))]
     scene: Option<String>,
-    /// A file with the names of a class, one per line. With --out, writes a sheet for each name.
-    /// With --in, each line is the full name of a student's folder, and the report says which
-    /// folders are missing
+    /// A file with the names of the students in a class, one per line. With --out, writes a sheet
+    /// for each name. With --in, each line is the full name of a student's folder, and the report
+    /// says which folders are missing
     #[arg(long, value_name = "FILE", group = "sheet", requires = "use_of_names")]
     #[arg(conflicts_with_all = ["file", "scene"])]
     names: Option<PathBuf>,
@@ -52,7 +52,8 @@ struct Arguments {
     /// Also writes the answers to the problems, as answers.html
     #[arg(long, requires = "out")]
     answers: bool,
-    /// A word that changes the scene of every name. It appears on no sheet
+    /// A word from which each scene is generated, together with the name. The word appears on no
+    /// sheet
     #[arg(long, value_name = "WORD", requires = "sheet", conflicts_with_all = ["file", "folder"])]
     #[arg(value_parser = NonEmptyStringValueParser::new().map(|word| compose_characters(&word)))]
     secret: Option<String>,
@@ -79,8 +80,8 @@ type AnyError = Box<dyn Error + Send + Sync>;
 enum Task {
     /// `check FILE`: checks one picture.
     CheckFile { file: PathBuf, expected: ExpectedPicture },
-    /// `check`: checks the pictures of the course that are in the current folder. Also reports the
-    /// `required` pictures that are missing.
+    /// `check`: checks the pictures of the course that are in the current folder. Also reports
+    /// which of the `required` pictures are missing.
     CheckFolder { required: Vec<&'static str> },
     /// `check --in FOLDER`: checks the pictures of a class. If the students' names are given, also
     /// says whose folder is missing.
@@ -95,7 +96,7 @@ enum Task {
 
 /// The picture that a file should contain.
 enum ExpectedPicture {
-    /// The locked picture with this name. If the name is None, `check_png` works it out.
+    /// The locked picture with this name. If the name is None, `check_png` works out the name.
     Locked(Option<String>),
     /// The picture of the scene that is generated from this name.
     SceneFromName(String),
