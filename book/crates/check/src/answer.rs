@@ -135,8 +135,8 @@ pub struct Answer {
     pub details: Vec<String>,
     /// All changes we know of that reproduce this picture exactly.
     pub causes: Vec<Cause>,
-    /// Both pictures, for drawing the difference. None if they are equal, if their sizes differ, or
-    /// if other options explain the difference.
+    /// Both pictures, for drawing the difference. None if the pictures are equal, if their sizes
+    /// differ, or if other options explain the difference.
     pub compared_pictures: Option<ComparedPictures>,
     /// The line about the causes. None if there are no causes, or if this line is the headline.
     pub(crate) causes_line: Option<String>,
@@ -163,7 +163,8 @@ impl Answer {
     /// sentence.
     pub fn lines(&self) -> Vec<String> {
         let (notes, headline) = (&self.file_notes[..], &[self.headline.clone()][..]);
-        // If the picture is wrong, the notes on the file often explain why, so they come first.
+        // If the picture is wrong, the notes on the file often explain why, so the notes come
+        // first.
         let (first, second) = match self.verdict {
             Verdict::NotRight => (notes, headline),
             Verdict::Right | Verdict::OtherOptions => (headline, notes),

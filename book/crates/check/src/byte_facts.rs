@@ -92,8 +92,8 @@ fn only_sky_or_only_objects_differ(comparison: &Comparison, scene: &StepScene) -
 }
 
 /// Returns a sentence that names the files to compare. The sentence is empty if fewer than
-/// `MIN_CHANGED_VALUES` byte values have changed. It is also empty in steps 1 and 2, where a wrong
-/// `direction_colour` looks the same as a wrong conversion to bytes.
+/// `MIN_CHANGED_VALUES` byte values have changed. The sentence is also empty in steps 1 and 2,
+/// where a wrong `direction_colour` looks the same as a wrong conversion to bytes.
 fn sentence_on_files_to_compare(changed_count: usize, scene: &StepScene) -> &'static str {
     let is_known = changed_count >= MIN_CHANGED_VALUES && scene.step > Step::Sphere;
     if is_known { " Compare rgb8.rs and the mean in render.rs of step 1." } else { "" }

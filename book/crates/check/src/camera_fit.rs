@@ -125,9 +125,9 @@ fn cameras_with_wrong_formulas() -> Vec<(Camera, String)> {
     cameras
 }
 
-/// Returns candidates for the value of a number, those with the fewest digits first. All of them
-/// reproduce the sky, but the caller still has to test them on the objects. If our own value also
-/// reproduces the sky, returns no candidates, since then the number isn't the cause.
+/// Returns candidates for the value of a number. Candidates with few digits come first. All
+/// candidates reproduce the sky, but the caller still has to test them on the objects. If our own
+/// value also reproduces the sky, returns no candidates, since then the number isn't the cause.
 fn candidate_values_from_sky(
     comparison: &Comparison,
     scene: &StepScene,
@@ -143,8 +143,8 @@ fn candidate_values_from_sky(
     //
     // - a round number
     // - a round multiple of our number
-    // - our number shifted by a round number of pixels (from one pixel to the next, x changes by
-    //   the x of D_u, and y by the y of D_v)
+    // - our number shifted by a round multiple of the step from one pixel to the next (the x of D_u
+    //   or the y of D_v)
     let pixel_steps = [matrix.x_axis.x, matrix.y_axis.y];
     let pixel_step = if number.column == 2 { pixel_steps[number.row] } else { ours };
     let starts_and_units = [(0.0, 1.0), (0.0, ours), (ours, pixel_step)];
@@ -241,7 +241,7 @@ mod tests {
     }
 
     #[test]
-    fn no_number_fits_a_byte_on_which_it_has_no_influence() {
+    fn no_value_fits_a_wrong_byte_that_does_not_depend_on_the_number() {
         let mut yours = picture(&D_U.camera_with(0.0017), 1);
         let range = bounds(&yours, D_U).expect("some values reproduce the sky");
         assert!(range.contains(&0.0017) && !range.contains(&D_U.our_value()), "{range:?}");
@@ -251,7 +251,7 @@ mod tests {
     }
 
     #[test]
-    fn no_number_fits_bytes_that_contradict_each_other() {
+    fn no_value_fits_bytes_that_contradict_each_other() {
         let mut yours = picture(&D_U.camera_with(0.0017), 1);
         yours[(639, 5)][0] += 1;
         assert_eq!(bounds(&yours, D_U), None);

@@ -5,8 +5,8 @@ use crate::number_format::{format_as_typed, replace_hyphens_with_minus};
 use crate::step_scene::StepScene;
 use course::{OwnScene, Owner, QUANTITIES, Quantity, TypedRange};
 
-/// Finds changes to a single number in the scene, and describes those that reproduce the reader's
-/// picture exactly.
+/// Finds changes to a single number in the scene, and describes the changes that reproduce the
+/// reader's picture exactly.
 pub(crate) fn find_changed_numbers(
     comparison: &Comparison,
     scene: &StepScene,

@@ -151,8 +151,8 @@ fn find_number_and_camera_causes(comparison: &Comparison) -> Vec<Cause> {
 
 /// Describes the causes. The first line names up to `MAX_CAUSES` causes, and the files that contain
 /// the other causes. If a right program also draws the picture with certain `options`, the line
-/// mentions these options, since they explain the picture just as well. If the first cause is a
-/// listed mistake, further lines describe that mistake.
+/// mentions these options, since the options explain the picture just as well. If the first cause
+/// is a listed mistake, further lines describe that mistake.
 fn describe_causes(causes: &[Cause], options: Option<&Options>) -> Vec<String> {
     let Some(first) = causes.first() else { return vec![] };
     let is_listed = causes.iter().all(|cause| matches!(cause, Cause::Mistake(_)));
@@ -182,7 +182,7 @@ fn describe_causes(causes: &[Cause], options: Option<&Options>) -> Vec<String> {
 }
 
 /// Describes a listed mistake. Shows the diff unless it is too long. If the book shows the mistake,
-/// also says why it is wrong and which section to read.
+/// also says why the code is wrong and which section to read.
 fn describe_mistake(mistake: &Mistake) -> Vec<String> {
     let diff = mistake.format_as_diff();
     let mut lines: Vec<_> = diff.lines().map(|line| format!("  {line}")).collect();
@@ -250,19 +250,19 @@ mod tests {
         }
     }
 
-    fn cause(title: &'static str, file: &str) -> Cause {
+    fn made_up_cause(title: &'static str, file: &str) -> Cause {
         Cause::Mistake(Box::leak(Box::new(made_up_mistake(title, file))))
     }
 
     #[test]
     fn files_of_all_causes_are_named_once() {
         let listed = [
-            cause("slip 1", "a.rs"),
-            cause("slip 2", "b.rs"),
-            cause("slip 3", "a.rs"),
-            cause("slip 4", "c.rs"),
-            cause("slip 5", "b.rs"),
-            cause("slip 6", "c.rs"),
+            made_up_cause("slip 1", "a.rs"),
+            made_up_cause("slip 2", "b.rs"),
+            made_up_cause("slip 3", "a.rs"),
+            made_up_cause("slip 4", "c.rs"),
+            made_up_cause("slip 5", "b.rs"),
+            made_up_cause("slip 6", "c.rs"),
         ];
         let number = Cause::SceneNumber("another number".to_owned());
         let both = [listed[0].clone(), number];

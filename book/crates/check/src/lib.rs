@@ -18,9 +18,9 @@
 //!    listed mistake (`reader_picture`), a single changed number in the scene (`changed_number`),
 //!    or a different camera (`camera_fit`). A change that we don't know of may reproduce the
 //!    picture, too.
-//! 6. If nothing else explains the picture, **facts** about the wrong pixels (`facts`). They say
-//!    whether these pixels were never drawn (`undrawn`), what their bytes have in common
-//!    (`byte_facts`), and which objects they belong to (`regions`).
+//! 6. If nothing else explains the picture, **facts** about the wrong pixels (`facts`). The facts
+//!    say whether the wrong pixels were never drawn (`undrawn`), what their bytes have in common
+//!    (`byte_facts`), and which objects the pixels belong to (`regions`).
 //!
 //! An answer about a wrong picture of the right size also shows one wrong pixel (`wrong_pixel`).
 //! Unless the picture belongs to an exercise, the answer also names the `by_hand` tests to run, and
@@ -30,9 +30,9 @@
 //! (`class`). For a list of names, `check` writes one sheet per name, with the numbers of the scene
 //! that is generated from this name (`class::scene_sheet`).
 //!
-//! A `Budget` limits how many explanations are tried. It counts rays and pixels instead of seconds,
-//! so that the answer is the same on every machine. There is also a limit on how many bytes are
-//! read from a file.
+//! A `Budget` limits how many explanations are tried. The budget counts rays and pixels instead of
+//! seconds, so that the answer is the same on every machine. There is also a limit on how many
+//! bytes are read from a file.
 
 mod answer;
 mod byte_facts;

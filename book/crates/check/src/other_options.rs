@@ -60,8 +60,8 @@ impl Options {
         tenths == tenths.round()
     }
 
-    /// A sentence to follow the list of causes. It says that a right program with these options
-    /// gives the reader's picture, too.
+    /// A sentence to follow the list of causes. The sentence says that a right program with these
+    /// options gives the reader's picture, too.
     pub fn same_picture_sentence(&self) -> String {
         let (columns, rows) = self.size;
         let mut options = format!("--fov {}", self.fov_degrees);
@@ -106,8 +106,8 @@ impl Options {
         }
     }
 
-    /// The lines after the headline. They say which options our picture is drawn with, and where to
-    /// look if the reader gave no other options.
+    /// The lines after the headline. These lines say which options our picture is drawn with, and
+    /// where to look if the reader gave no other options.
     pub fn advice_on_default_options() -> Vec<String> {
         vec![
             "Ours is drawn with the default options: --width 640 --aspect 16:9 --fov 60 --samples 1."
@@ -235,10 +235,10 @@ fn sampled_border_positions((columns, rows): (u32, u32)) -> impl Iterator<Item =
     sides.chain(across.flat_map(move |i| [(i, 0), (i, rows - 1)]))
 }
 
-/// Whether the pixel may be right with some number of samples. We compute only the colour at the
-/// pixel's centre. In the sky, colours change linearly, so the mean over the pixel equals the
-/// colour at its centre. Within an object, the mean is close to the colour at the centre if pixels
-/// are small. At an edge, the mean may be anything, so we accept every colour.
+/// Whether a right program may have drawn this pixel, with any number of samples. We compute only
+/// the colour at the pixel's centre. In the sky, colours change linearly, so the mean over the
+/// pixel equals the colour at its centre. Within an object, the mean is close to the colour at the
+/// centre if pixels are small. At an edge, the mean may be anything, so we accept every colour.
 fn may_be_right(scene: &StepScene, camera: &Camera, yours: &RgbImage, (i, j): (u32, u32)) -> bool {
     let (x, y) = (f64::from(i), f64::from(j));
     let seen_at = |(u, v)| scene.visible_hit(&camera.ray(x + u, y + v)).map(|hit| hit.object);

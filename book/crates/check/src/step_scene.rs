@@ -22,7 +22,8 @@ pub(crate) struct ObjectHit {
 }
 
 impl StepScene {
-    /// The scene of a step. It has no objects in step 1, and only the sphere in step 2.
+    /// The scene of a step. The scene of step 1 has no objects, and the scene of step 2 has only
+    /// the sphere.
     pub fn of_step(step: Step) -> Self {
         let mut scene = step05_phong::scene();
         match step {
@@ -72,7 +73,7 @@ impl StepScene {
         })
     }
 
-    /// The nearest of all hits along a ray. It is the only visible hit.
+    /// The nearest of all hits along a ray. Only this hit is visible.
     pub fn visible_hit(&self, ray: &Ray) -> Option<ObjectHit> {
         self.first_hits_on_objects(ray).min_by(|a, b| a.t.total_cmp(&b.t))
     }

@@ -6,8 +6,8 @@ use course::{Step, camera};
 use image::RgbImage;
 use step01_rays::render;
 
-/// A right picture, which a reader's picture should equal. It is either locked or drawn from a
-/// scene that is generated from a name.
+/// A right picture, which a reader's picture should equal. The right picture is either locked or
+/// drawn from a scene that is generated from a name.
 pub(crate) struct Target {
     /// The phrase that stands for the picture in a sentence, such as `the picture of glass`.
     pub title: String,
@@ -79,7 +79,7 @@ mod tests {
         assert_eq!(find("MyScene-2.png"), Some("my_scene"));
         assert_eq!(find("sunny.png"), None);
         assert_eq!(find("rings/picture.png"), None);
-        // If the file name contains several names, the longest is found.
+        // If the file name contains several names, the longest name is found.
         assert_eq!(find("sun rings.png"), Some("rings"));
         assert_eq!(find("step4.png"), None);
     }

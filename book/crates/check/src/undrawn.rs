@@ -71,8 +71,8 @@ enum ShapeCause {
     Loop,
     /// An editor put a border around a finished picture.
     Editor,
-    /// Unclear, because the shape consists of several rectangles. These may be undrawn. But if
-    /// pixels of other colours are wrong, too, the rectangles may also be dark objects.
+    /// Unclear, because the shape consists of several rectangles. The rectangles may be undrawn.
+    /// But if pixels of other colours are wrong, too, the rectangles may also be dark objects.
     Unknown,
 }
 

@@ -18,7 +18,7 @@ pub(crate) fn describe_most_different_pixel(
 }
 
 /// Formats the values that our program computes for one ray, in the book's notation. The text
-/// begins with a colon, because it follows the two colours.
+/// begins with a colon, because the text follows the two colours.
 fn format_computed_values(scene: &StepScene, ray: &Ray, hit: Option<ObjectHit>) -> String {
     let Some(hit) = hit else {
         return format!(": the sky, V = {}", format_vector_four_decimals(ray.direction));

@@ -109,7 +109,7 @@ fn reports_on_a_readers_own_pictures_are_as_locked() {
     assert_locked("own_pictures", answers);
 }
 
-/// Only Linux allows folders to have these names.
+/// The names of the folders in this test are allowed only on Linux.
 #[test]
 #[cfg(target_os = "linux")]
 fn odd_names_of_folders_stay_apart() {
@@ -206,7 +206,8 @@ fn scene_sheets_are_as_locked() {
     ];
     assert_locked("writing_sheets", runs.map(|arguments| run_check(&folder, arguments)));
     assert_locked("sheets", read_folder(&folder.join("sheets")));
-    // The system's error message differs between machines, so these answers aren't in a snapshot.
+    // These answers aren't in a snapshot, because the system's error message differs between
+    // machines.
     for arguments in [["long.txt", "new"], ["names.txt", "full/other.txt/new"]] {
         let [names, out] = arguments;
         let (_, text) = run_check(&folder, &["--names", names, "--out", out]);

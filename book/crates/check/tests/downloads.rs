@@ -23,7 +23,7 @@ fn read_commands_for_teachers(phrase: &str) -> String {
     below.split_once("\n```\n").expect("the shell commands end").0.to_owned()
 }
 
-/// Runs shell commands in a folder. Panics if they fail or print errors.
+/// Runs shell commands in a folder. Panics if the commands fail or print errors.
 fn run_shell(folder: &Path, commands: &str) {
     let mut shell = Command::new("sh");
     let output =

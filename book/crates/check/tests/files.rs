@@ -17,7 +17,7 @@ fn with_size_in_header(png: &[u8], columns: u32, rows: u32) -> Vec<u8> {
     [&png[..12], &header, &sum, &png[33..]].concat()
 }
 
-/// Returns a PNG file with 640×360 black pixels. It has a palette and 4 bits per pixel.
+/// Returns a PNG file with 640×360 black pixels. The file has a palette and 4 bits per pixel.
 fn png_with_palette() -> Vec<u8> {
     let mut file = vec![];
     let mut encoder = png::Encoder::new(&mut file, 640, 360);

@@ -40,8 +40,8 @@ impl Feedback {
     }
 }
 
-/// Judges a student's file. `earlier` contains the pictures above the file in the table. If one of
-/// these pictures has a cause in common with the file, the sentence says so.
+/// Judges a student's file. `earlier` contains the reports on the student's earlier pictures. If
+/// one of these pictures has a cause in common with the file, the sentence says so.
 pub(crate) fn judge(result: &Result<Answer, CheckError>, earlier: &[PictureReport]) -> Feedback {
     let feedback = match result {
         Err(error) => Feedback {

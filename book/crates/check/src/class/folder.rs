@@ -129,8 +129,8 @@ pub(crate) fn find_own_pictures(folder: &Path) -> Result<FolderContents, FolderE
 /// A folder that hasn't been read yet.
 struct UnreadFolder {
     path: PathBuf,
-    /// The path relative to the student's folder, ending in `/`. It is empty for the student's
-    /// folder itself.
+    /// The path relative to the student's folder, ending in `/`. Empty for the student's folder
+    /// itself.
     printable_path: String,
     /// The depth of nesting, which is 1 for the student's own folder.
     depth: usize,

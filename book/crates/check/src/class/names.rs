@@ -67,7 +67,7 @@ impl DuplicateNames {
         Self(names.filter(|name| !seen.insert(name.clone())).collect())
     }
 
-    /// Returns a note if a second folder has this folder's name.
+    /// Returns a note if another folder has the same name, in a different Unicode form.
     pub fn note(&self, student: &StudentFolder) -> Option<Note> {
         let name = composed_folder_name(student)?;
         self.0.contains(&name).then_some(Note::SameNameInOtherForm)

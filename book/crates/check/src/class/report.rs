@@ -305,7 +305,7 @@ impl CsvRow {
 }
 
 /// Formats a cell that contains a text. The text is in quotes, and begins with an added `'` if a
-/// spreadsheet could take it for a formula.
+/// spreadsheet could take the text for a formula.
 fn csv_text_cell(text: &str) -> String {
     let is_invisible = |c: char| {
         c.is_whitespace() || c.is_control() || matches!(c, '\u{200b}'..='\u{200f}' | '\u{feff}')

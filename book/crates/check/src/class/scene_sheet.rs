@@ -77,7 +77,7 @@ struct ProblemPixel {
 }
 
 /// Formats the sheet for a name as Markdown. If there is a secret word, the scene is generated from
-/// the name and this word, so nobody can generate it from the name alone.
+/// the name and this word, so nobody can generate the scene from the name alone.
 pub fn format_sheet(name: &str, secret: Option<&str>) -> String {
     SceneSheet::new(name, secret).to_markdown()
 }
@@ -219,8 +219,8 @@ fn number_table(scene: &StepScene, owner: Owner) -> Vec<Vec<String>> {
 /// 2. Both lights are bright on the visible ball, and the ray meets no other ball.
 /// 3. The first light is bright on the visible ball, and the ray meets no other ball.
 ///
-/// The search passes over the first `pixels_to_skip` pixels, so that not all sheets ask about the
-/// same pixel.
+/// The search skips the first `pixels_to_skip` pixels, so that not all sheets ask about the same
+/// pixel.
 fn find_problem_pixel(scene: &StepScene, pixels_to_skip: usize) -> Option<ProblemPixel> {
     let find = |ball_count: usize, light_count: usize| {
         let camera = camera();

@@ -161,7 +161,7 @@ fn picture_of_file(file: &FoundFile) -> Option<&'static str> {
         .filter(|_| file.may_be_picture())
 }
 
-/// Compares a file with the locked picture that it should equal.
+/// Compares a file with the locked picture that the file should contain.
 fn check_file(file: &FoundFile, picture: &'static str, earlier: &[PictureReport]) -> FileReport {
     let result = read_bounded_file(&file.path)
         .map_err(CheckError::from)

@@ -16,7 +16,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn columns_are_as_wide_as_their_longest_word() {
+    fn columns_are_as_wide_as_their_longest_cells() {
         let rows = [["a", "bc", ""], ["öä", "", "d"]].map(|row| row.map(str::to_owned).to_vec());
         assert_eq!(align_columns(&rows), "a   bc\nöä      d\n");
         assert_eq!(align_columns(&[]), "");
