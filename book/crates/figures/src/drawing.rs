@@ -225,7 +225,7 @@ mod tests {
     }
 
     #[test]
-    fn path_leaves_out_points_that_round_to_the_same_numbers() {
+    fn path_leaves_out_points_that_round_to_the_previous_point() {
         let points = [(1.0, 2.0), (1.001, 2.0), (3.0, 2.0), (1.0, 2.0)].map(DVec2::from);
         assert_eq!(path_commands(points), "M1.00 2.00L3.00 2.00L1.00 2.00");
     }

@@ -77,7 +77,7 @@ pub struct EditableScene {
     /// Finds the object at a position in the picture.
     pub object_at: fn(&ParameterValues, DVec2) -> Option<&'static str>,
     /// Every object that has a colour, with the parameters for red, green and blue.
-    pub colour_parameters: Vec<(&'static str, [ParameterId; 3])>,
+    pub colour_parameters_by_object: Vec<(&'static str, [ParameterId; 3])>,
 }
 
 impl Content {

@@ -105,7 +105,7 @@ fn about_figure(figure: &Figure) -> Reply {
     ];
     if let Some(scene) = &figure.editable_scene {
         let colours = scene
-            .colour_parameters
+            .colour_parameters_by_object
             .iter()
             .map(|(object, ids)| (*object, json::list(ids.map(quote))));
         fields.push(("colours", json::object(colours)));

@@ -61,7 +61,7 @@ fn replies(figure: &Figure, requests: &[(String, FigureRequest)]) -> String {
 
 /// Returns a request to show the figure with these values, and the request's description. A picture
 /// has only eight columns.
-fn show_request(figure: &Figure, values: &ParameterValues) -> (String, FigureRequest) {
+fn described_show_request(figure: &Figure, values: &ParameterValues) -> (String, FigureRequest) {
     let columns = match figure.content {
         Content::Drawing { .. } => None,
         Content::Picture { .. } => Some(8),
@@ -125,7 +125,7 @@ fn texts_and_replies_are_as_locked() {
     for figure in FIGURES.iter() {
         let mut requests = vec![(format!("about {}", figure.name), FigureRequest::About)];
         let values = default_and_spread_values(figure);
-        requests.extend(values.iter().map(|values| show_request(figure, values)));
+        requests.extend(values.iter().map(|values| described_show_request(figure, values)));
         let texts = match &figure.content {
             Content::Drawing { title, caption, .. } => {
                 format!("title: {title}\ncaption: {caption}\n\n")

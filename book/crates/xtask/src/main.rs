@@ -4,10 +4,10 @@
 mod error;
 mod mistakes;
 mod mistakes_program;
-mod modules;
 mod source_hash;
 #[cfg(test)]
 mod tests;
+mod wasm_modules;
 
 use course::target_folder;
 use error::{XtaskError, XtaskResult};
@@ -36,5 +36,5 @@ fn regenerate() -> XtaskResult<()> {
         lock.lock().map_err(XtaskError::of_file(&path))?;
     }
     mistakes::draw_new_mistakes()?;
-    modules::compile_if_stale()
+    wasm_modules::compile_if_stale()
 }

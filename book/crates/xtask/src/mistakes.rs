@@ -22,7 +22,7 @@ const BATCH_SIZE: usize = 60;
 /// All mistakes, and what is known about their pictures.
 pub struct DrawnMistakes {
     /// The names and hashes of the right pictures.
-    right: Vec<(&'static str, u64)>,
+    right_pictures: Vec<(&'static str, u64)>,
     /// All mistakes, each with its redraw key.
     all: Vec<(u32, &'static Mistake)>,
     /// The rows of the table, keyed by redraw key.
@@ -56,9 +56,9 @@ pub fn draw_new_mistakes() -> XtaskResult<()> {
 /// - the names and steps of the pictures in the book that show the mistake.
 ///
 /// If the hash changes, the mistake has to be drawn again.
-pub fn redraw_key(mistake: &Mistake, right: &[(&str, u64)]) -> XtaskResult<u32> {
+pub fn redraw_key(mistake: &Mistake, right_pictures: &[(&str, u64)]) -> XtaskResult<u32> {
     let steps: Vec<_> = mistake.affected_steps().map(Step::name).collect();
-    let affected = right.iter().filter(|(name, _)| steps.contains(name));
+    let affected = right_pictures.iter().filter(|(name, _)| steps.contains(name));
     let right_hashes = affected.map(|(_, hash)| hash.to_string());
     let pictures = mistake.pictures().iter();
     let shown_names = pictures.map(|picture| format!("{} {}", picture.name, picture.step.name()));
@@ -69,19 +69,19 @@ pub fn redraw_key(mistake: &Mistake, right: &[(&str, u64)]) -> XtaskResult<u32> 
 impl DrawnMistakes {
     /// Reads the list of mistakes, the right pictures, and the checked-in table and small pictures.
     pub fn read() -> XtaskResult<Self> {
-        let (mut right, mut all) = (vec![], vec![]);
+        let (mut right_pictures, mut all) = (vec![], vec![]);
         for (name, _) in PICTURES {
-            right.push((*name, hash_picture(&read_locked_picture(name)?)));
+            right_pictures.push((*name, hash_picture(&read_locked_picture(name)?)));
         }
         for mistake in parse_mistake_lists()? {
-            all.push((redraw_key(mistake, &right)?, mistake));
+            all.push((redraw_key(mistake, &right_pictures)?, mistake));
         }
         let drawn_rows =
             mistake_table().rows.iter().filter(|row| row.hashes.iter().any(Option::is_some));
         let rows = drawn_rows.map(|row| (row.key, row.hashes.clone())).collect();
         let pictures = Step::ALL.map(|step| read_small_pictures(&workspace(), step));
         let small_pictures = pictures.into_iter().flatten().flatten().collect();
-        Ok(Self { right, all, rows, small_pictures })
+        Ok(Self { right_pictures, all, rows, small_pictures })
     }
 
     /// The mistakes that have to be drawn: those that haven't been drawn since their code or the
@@ -99,7 +99,7 @@ impl DrawnMistakes {
     fn record(&mut self, key: u32, mistake: &Mistake, pictures: &DrawnPictures) {
         let hash = |(step, picture): &(Step, Option<RgbImage>)| {
             let hash = hash_picture(picture.as_ref()?);
-            (!self.right.contains(&(step.name(), hash))).then_some(hash)
+            (!self.right_pictures.contains(&(step.name(), hash))).then_some(hash)
         };
         let hashes: Vec<_> = pictures.iter().map(hash).collect();
         if hashes.iter().all(Option::is_none) {
@@ -127,7 +127,7 @@ impl DrawnMistakes {
 
     /// Formats the table.
     pub fn table_text(&self) -> String {
-        let right_pictures = self.right.iter().map(|(name, hash)| {
+        let right_pictures = self.right_pictures.iter().map(|(name, hash)| {
             let pictures = Step::from_name(name).map(|step| self.small_pictures_of_step(step));
             let names = pictures.into_iter().flatten().map(|(name, _)| name);
             RightPicture { name, hash: *hash, small_pictures: names.collect() }
@@ -163,7 +163,7 @@ mod tests {
     use super::*;
     use crate::mistakes_program::title_and_file;
 
-    fn titles_to_draw(drawn_mistakes: &DrawnMistakes) -> Vec<String> {
+    fn titles_of_mistakes_to_draw(drawn_mistakes: &DrawnMistakes) -> Vec<String> {
         drawn_mistakes.mistakes_to_draw().map(|(_, mistake)| title_and_file(mistake)).collect()
     }
 
@@ -171,7 +171,7 @@ mod tests {
     fn mistake_that_lacks_its_row_or_a_small_picture_is_to_be_drawn() {
         let read = || DrawnMistakes::read().expect("the list and the table can be read");
         let (mut without_row, mut without_picture) = (read(), read());
-        let known = titles_to_draw(&without_row);
+        let known = titles_of_mistakes_to_draw(&without_row);
         let is_shown = |(_, mistake): &&(u32, &Mistake)| {
             mistake.shown.is_some() && !known.contains(&title_and_file(mistake))
         };
@@ -181,7 +181,7 @@ mod tests {
         without_row.rows.remove(&key);
         without_picture.small_pictures.remove(mistake.pictures()[0].name);
         for drawn_mistakes in [without_row, without_picture] {
-            let mut titles = titles_to_draw(&drawn_mistakes);
+            let mut titles = titles_of_mistakes_to_draw(&drawn_mistakes);
             titles.retain(|title| !known.contains(title));
             assert_eq!(titles, expected);
         }

@@ -149,7 +149,7 @@ mod tests {
     }
 
     #[test]
-    fn mistake_whose_code_is_gone_is_an_error() {
+    fn mistake_whose_code_is_gone_cannot_be_applied() {
         let mut mistake = course::mistakes()[0].clone();
         assert!(
             unindented_text_with_mistake(&mistake).is_ok_and(|text| text.contains(&mistake.new))

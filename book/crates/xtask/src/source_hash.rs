@@ -23,7 +23,7 @@ const SHOWN_ON_PAGES: [&str; 3] =
     ["examples/own_scene.rs", "examples/look_at.rs", "figures/src/own_scene/program.rs"];
 
 /// Hashes all sources of the modules, including manifests.
-pub fn hash_module_sources() -> XtaskResult<String> {
+pub fn hash_wasm_module_sources() -> XtaskResult<String> {
     let mut files = ["Cargo.toml", "Cargo.lock"].map(|file| workspace().join(file)).to_vec();
     for folder in FOLDERS {
         push_source_files(&workspace().join(folder), &mut files)?;
@@ -79,7 +79,7 @@ mod tests {
     }
 
     #[test]
-    fn code_and_places_are_sources_and_the_list_of_mistakes_is_not() {
+    fn code_and_places_are_source_files_but_lists_of_mistakes_are_not() {
         let mut files = vec![];
         push_source_files(&workspace().join("book/crates/course"), &mut files)
             .expect("the files can be read");

@@ -2,7 +2,7 @@
 
 use crate::mistakes::{DrawnMistakes, redraw_key};
 use crate::mistakes_program::title_and_file;
-use crate::modules;
+use crate::wasm_modules;
 use course::environment::is_ci;
 use course::{MistakePicture, Step, WASM_MODULES, mistake_texts, mistakes};
 use std::collections::HashSet;
@@ -13,7 +13,7 @@ use std::io::{Write, stderr};
 fn wasm_modules_are_up_to_date_with_their_sources() {
     let note =
         "The pages' modules are older than their source code. Run `cargo xtask` to compile them.";
-    let is_stale = modules::are_stale().expect("the sources can be read");
+    let is_stale = wasm_modules::are_stale().expect("the sources can be read");
     assert!(!is_stale || !is_ci(), "{note}");
     if is_stale {
         // Unlike the output of println!, this is shown even if the test passes.
@@ -28,7 +28,7 @@ fn wasm_modules_export_the_functions_that_pages_call() {
     let names: HashSet<_> = calls.map(|(name, _)| name).filter(|name| name.contains('_')).collect();
     assert_eq!(names.len(), 2, "{names:?}");
     for module in WASM_MODULES {
-        let path = modules::page_package_folder().join(format!("{module}.wasm"));
+        let path = wasm_modules::page_package_folder().join(format!("{module}.wasm"));
         let bytes = fs::read(path).expect("the module can be read");
         for name in &names {
             let is_exported = bytes.windows(name.len()).any(|part| part == name.as_bytes());

@@ -8,14 +8,14 @@ pub mod flat_world;
 pub mod frustum;
 pub mod hits_along_a_ray;
 pub mod lambert;
-pub mod lobes;
 pub mod phong_vectors;
 pub mod pinhole;
 pub mod ray;
 pub mod right_hand;
 pub mod rim;
-pub mod row;
+pub mod row_of_rays;
 pub mod scene_from_above;
+pub mod specular_lobes;
 pub mod three_cases;
 
 use crate::{

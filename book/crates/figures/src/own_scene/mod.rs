@@ -28,7 +28,7 @@ pub fn figure() -> Figure {
                 let ray = own.camera(COLUMNS).ray(pixel.x, pixel.y);
                 nearest(&own.scene.objects, &ray).map(|hit| hit.object.name)
             },
-            colour_parameters: colour_parameters(),
+            colour_parameters_by_object: colour_parameters_by_object(),
         }),
         has_something_to_show: |values| {
             let own = own_scene(values);
@@ -62,7 +62,7 @@ fn sphere_or_light_handle(owner: Owner, k: usize, presence: ParameterId) -> Opti
 }
 
 /// Every object that has a colour, with the parameters for red, green and blue.
-fn colour_parameters() -> Vec<(&'static str, [ParameterId; 3])> {
+fn colour_parameters_by_object() -> Vec<(&'static str, [ParameterId; 3])> {
     let mut objects: Vec<_> =
         PARAMETERS.iter().filter_map(|(_, parameter)| parameter.id.object()).collect();
     objects.dedup();

@@ -4,7 +4,7 @@
 //! sources, and the version of the compiler.
 
 use crate::error::{XtaskError, XtaskResult};
-use crate::source_hash::hash_module_sources;
+use crate::source_hash::hash_wasm_module_sources;
 use course::{WASM_MODULES, cargo_command, target_folder, workspace};
 use std::path::PathBuf;
 use std::process::Command;
@@ -15,7 +15,7 @@ const TARGET: &str = "wasm32-unknown-unknown";
 /// Whether the sources have changed since the modules were compiled.
 pub fn are_stale() -> XtaskResult<bool> {
     let text = fs::read_to_string(page_package_folder().join("modules.txt")).unwrap_or_default();
-    Ok(text.split(' ').next() != Some(&*hash_module_sources()?))
+    Ok(text.split(' ').next() != Some(&*hash_wasm_module_sources()?))
 }
 
 /// Compiles the modules if they are stale.
@@ -23,7 +23,7 @@ pub fn compile_if_stale() -> XtaskResult<()> {
     if !are_stale()? {
         return Ok(());
     }
-    let hash = hash_module_sources()?;
+    let hash = hash_wasm_module_sources()?;
     for name in WASM_MODULES {
         let module = compile_module(name)?;
         if let Some(folder) = find_local_folder(&module) {
