@@ -25,7 +25,8 @@ pub enum AddressError {
         /// The smallest and the largest allowed value.
         range: [f64; 2],
     },
-    /// Each value is allowed by itself, but together they leave the figure with nothing to show.
+    /// Each value is allowed by itself, but the values together leave the figure with nothing to
+    /// show.
     #[error("There is nothing to show at this address.")]
     NothingToShow,
 }
@@ -49,8 +50,8 @@ pub fn format_address(figure: &Figure, values: &ParameterValues) -> String {
     different.collect::<Vec<_>>().join(",")
 }
 
-/// Parses an address. A value outside its parameter's range is an error. A parameter that the
-/// address doesn't mention has its default.
+/// Parses an address. A value outside the range of its parameter is an error. A parameter that the
+/// address doesn't mention gets its default value.
 pub fn parse_address(figure: &Figure, address: &str) -> Result<ParameterValues, AddressError> {
     let mut values = figure.default_values();
     for part in address.split(',').filter(|part| !part.is_empty()) {
@@ -68,7 +69,8 @@ pub fn parse_address(figure: &Figure, address: &str) -> Result<ParameterValues, 
 }
 
 /// Replaces each number in a request with the nearest value that its parameter allows. A number
-/// that isn't finite is an error. A parameter that the request doesn't mention has its default.
+/// that isn't finite is an error. A parameter that the request doesn't mention gets its default
+/// value.
 pub fn clamp_requested_values(
     figure: &Figure,
     numbers: &[(String, f64)],

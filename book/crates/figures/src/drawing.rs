@@ -11,8 +11,8 @@ use std::mem;
 /// The width of every drawing.
 pub const WIDTH: f64 = 480.0;
 
-/// A drawing in SVG, 480 wide. x points right and y points down, and a line of text is about 20
-/// high.
+/// A drawing in SVG, 480 units wide. The x axis points right, and the y axis points down. A line of
+/// text is about 20 units high.
 ///
 /// Balls and pixels set their own colours. All other elements get their colours from the theme's
 /// style sheet, which selects them by class. Labels are on top of everything else.
@@ -36,7 +36,7 @@ struct Label {
 }
 
 impl Drawing {
-    /// An empty drawing, as wide as the column of text.
+    /// An empty drawing of the given height.
     pub fn new(height: f64) -> Self {
         Self {
             height,
@@ -52,7 +52,7 @@ impl Drawing {
         self.path(class, [start, end]);
     }
 
-    /// Draws an arrow that ends at `tip`.
+    /// Draws an arrow from `start` to `tip`.
     pub fn arrow(&mut self, class: &str, start: DVec2, tip: DVec2) {
         let along = (tip - start).normalize_or(DVec2::X);
         let back = tip - 9.0 * along;
@@ -84,7 +84,7 @@ impl Drawing {
         self.circle(&format!("{class} dot"), centre, 4.5);
     }
 
-    /// Draws a shaded ball, or a shaded ellipse for the projection of a ball.
+    /// Draws the projection of a shaded ball: an ellipse with these half axes.
     pub fn ball(&mut self, shading: &Shading, centre: DVec2, half_axes: DVec2) {
         self.gradients.entry(shading.id).or_insert_with(|| shading.svg());
         let (id, DVec2 { x, y }) = (shading.id, centre);
@@ -111,8 +111,8 @@ impl Drawing {
     }
 
     /// Writes text that is centred at `position`. With the class `start`, the text begins at
-    /// `position`, and with the class `end`, the text ends there. Symbols are between dollar signs:
-    /// `$V_0$` is a V with a subscript 0.
+    /// `position`. With the class `end`, the text ends at `position`. Symbols are between dollar
+    /// signs: `$V_0$` is a V with a subscript 0.
     ///
     /// Text that would be cut off at the border or overlap an earlier label is moved to a free
     /// position nearby.
@@ -121,7 +121,8 @@ impl Drawing {
         self.labels.push(Label { class: class.into(), position, text: text.into() });
     }
 
-    /// Moves the labels that handles at these positions would cover to free positions nearby.
+    /// Moves labels away from handles, to free positions nearby. `handles` contains the positions
+    /// of the handles.
     pub fn with_labels_clear_of_handles(mut self, handles: Vec<DVec2>) -> Self {
         self.handles = handles;
         for Label { class, position, text } in mem::take(&mut self.labels) {
@@ -131,8 +132,8 @@ impl Drawing {
     }
 
     /// Finds a position near `position` at which a label is inside the drawing, overlaps no earlier
-    /// label and isn't covered by a handle. If there is no such position, returns one at which the
-    /// label is inside the drawing.
+    /// label and isn't covered by a handle. If there is no such position, returns the nearest
+    /// position at which the label is inside the drawing.
     fn free_position_nearby(&self, class: &str, position: DVec2, text: &str) -> DVec2 {
         let box_at = |position| LabelBox::new(class, position, text);
         let inside = position + box_at(position).shift_into(dvec2(WIDTH, self.height));
@@ -162,7 +163,7 @@ impl Drawing {
         self.height
     }
 
-    /// The drawing's elements, to be put inside an SVG element.
+    /// The elements of the drawing, to be put inside an `<svg>` element.
     pub fn svg_elements(&self) -> String {
         let labels = self.labels.iter().map(Label::svg);
         let gradients = self.gradients.values().map(String::as_str);
@@ -200,8 +201,8 @@ impl Label {
     }
 }
 
-/// The commands of an SVG path through `points`. A point that rounds to the same numbers as the one
-/// before it is left out.
+/// The commands of an SVG path through `points`. A point is left out if its rounded coordinates are
+/// the same as those of the previous point.
 fn path_commands(points: impl IntoIterator<Item = DVec2>) -> String {
     let pairs = points.into_iter().map(|DVec2 { x, y }| format!("{x:.2} {y:.2}"));
     let mut pairs: Vec<_> = pairs.collect();

@@ -8,14 +8,14 @@ use std::collections::BTreeMap;
 /// A drawing or a picture that a reader can change on a page.
 #[derive(Debug)]
 pub struct Figure {
-    /// The name in chapters and requests.
+    /// The figure's name, which chapters and requests use.
     pub name: &'static str,
     /// What the figure shows.
     pub content: Content,
     /// The name of the figure whose values this figure shows. None if this figure has values of its
     /// own.
     pub values_from: Option<&'static str>,
-    /// The numbers that the reader can set.
+    /// The values that the reader can set.
     pub parameters: Vec<Parameter>,
     /// The marks that the reader can drag.
     pub handles: Vec<Handle>,
@@ -25,7 +25,7 @@ pub struct Figure {
     /// The number of rows in the table that shows a pixel's trace, or 0 if there is no table.
     /// [`row_readout_name`] returns the names of a row's readouts.
     pub row_count: usize,
-    /// What a page needs if the reader can edit the figure's scene. None for all other figures.
+    /// The scene that the reader can edit. None if the figure has no such scene.
     pub editable_scene: Option<EditableScene>,
     /// Whether the figure has anything to show with the given parameter values.
     pub has_something_to_show: fn(&ParameterValues) -> bool,
@@ -69,7 +69,8 @@ pub fn collect_readouts<const N: usize>(texts: [(&str, String); N]) -> Readouts 
 }
 
 /// A scene in which the reader can set everything. Every parameter of the figure belongs to an
-/// object, and the page shows the controls of one object at a time.
+/// object, and the lights and the camera count as objects, too. The page shows the controls of one
+/// object at a time.
 #[derive(Debug)]
 pub struct EditableScene {
     /// Formats the Rust program that draws the scene.
@@ -125,13 +126,13 @@ impl Figure {
         Some(draw(values).with_labels_clear_of_handles(positions.collect()))
     }
 
-    /// The handle that is a probe, if there is one.
+    /// The handle that is a probe, if the figure has a probe.
     pub fn probe(&self) -> Option<&Handle> {
         self.handles.iter().find(|handle| handle.mark == Mark::Probe)
     }
 
-    /// Returns the default values, but with the probe at the pixel (i, j). Returns None if there is
-    /// no probe, or no such pixel.
+    /// Returns the default values, but with the probe at the pixel (i, j). Returns None if the
+    /// figure has no probe, or the picture has no such pixel.
     pub fn default_values_with_probe_at(&self, [i, j]: [f64; 2]) -> Option<ParameterValues> {
         let probe = self.probe()?;
         let mut values = self.default_values();

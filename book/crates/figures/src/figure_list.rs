@@ -68,7 +68,7 @@ mod tests {
             for handle in &figure.handles {
                 let ids =
                     [Some(handle.horizontal), Some(handle.vertical), handle.depth, handle.presence];
-                // Indexing panics if there is no such parameter.
+                // Indexing `values` panics if the figure has no parameter with this id.
                 assert!(
                     ids.into_iter().flatten().all(|id| values[id].is_finite()),
                     "{}",
@@ -82,7 +82,8 @@ mod tests {
     fn row_count_of_each_figure_is_that_of_its_readouts() {
         for figure in FIGURES.iter() {
             let readouts = (figure.readouts)(&figure.default_values());
-            // The tables of spheres have a column `a`, and the table of mirrors has a column `k`.
+            // The table of the figure `mirror` has a column `k`, and every other table has a column
+            // `a`.
             let has_row = |row| {
                 ["a", "k"].iter().any(|name| readouts.contains_key(&row_readout_name(name, row)))
             };

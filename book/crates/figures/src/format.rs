@@ -1,4 +1,4 @@
-//! Numbers and names as the book writes them. A minus is a real minus sign, not a hyphen.
+//! Formats numbers and names as the book writes them. A minus is a real minus sign, not a hyphen.
 
 /// Formats a number with at most four digits after the point.
 pub fn format_number(number: f64) -> String {
@@ -7,13 +7,14 @@ pub fn format_number(number: f64) -> String {
     if text == "-0" { "0".to_string() } else { text.replace('-', "−") }
 }
 
-/// Formats a number with at most this many digits after the point, and never more than four.
+/// Formats a number with at most `digits` digits after the point, but no more than four.
 pub fn format_rounded(number: f64, digits: i32) -> String {
     let power = 10_f64.powi(digits);
     format_number((number * power).round() / power)
 }
 
-/// The name that the chapters use for an object. For a sphere, this is its colour.
+/// The name that the chapters use for an object. A sphere goes by its colour: the red sphere is
+/// “red”.
 pub fn short_name(object_name: &str) -> &str {
     object_name.trim_end_matches(" sphere")
 }
@@ -24,7 +25,7 @@ pub fn format_vector(vector: impl Into<[f64; 3]>) -> String {
     format!("({x}, {y}, {z})")
 }
 
-/// Formats a count with a comma between thousands.
+/// Formats a count with a comma before every three digits.
 pub fn format_count(count: usize) -> String {
     let digits = count.to_string();
     let has_comma = |k: usize| k > 0 && (digits.len() - k).is_multiple_of(3);

@@ -1,4 +1,4 @@
-//! Marks in a figure that the reader can drag.
+//! Handles: the marks in a figure that the reader can drag.
 
 use crate::probe::SIZE;
 use crate::{ParameterId, ParameterValues, PointId, View, direction_left_of_up};
@@ -6,11 +6,11 @@ use glam::{DVec2, DVec3};
 use std::fmt::{self, Debug, Formatter};
 use step01_rays::Camera;
 
-/// A mark in a drawing or a picture that the reader can drag, or move with the arrow keys.
+/// A mark in a figure. The reader can drag the mark, or move it with the arrow keys.
 ///
-/// Its position is in the coordinates of the drawing, or in pixels of the picture.
+/// The position of a handle is in the coordinates of a drawing, or in the pixels of a picture.
 pub struct Handle {
-    /// The name that readers see, and hear from a screen reader.
+    /// The handle's name, which a tooltip shows and a screen reader says.
     pub label: &'static str,
     /// What the mark looks like.
     pub mark: Mark,
@@ -21,7 +21,7 @@ pub struct Handle {
     /// The parameter for the z of the handle's object. Dragging with the Shift key changes this z.
     /// None if the handle can't change a z.
     pub depth: Option<ParameterId>,
-    /// The switch that adds the handle's object to the scene, if there is such a switch.
+    /// The switch that adds the handle's object to the scene. None if there is no such switch.
     pub presence: Option<ParameterId>,
     /// Returns the handle's position for the given parameter values, or None if there is nothing to
     /// drag.
@@ -53,9 +53,9 @@ impl Debug for Handle {
 /// What a handle looks like.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Mark {
-    /// A ring. Part of the figure moves with it.
+    /// A ring that moves a part of the figure.
     Point,
-    /// A dotted ring. A light moves with it.
+    /// A dotted ring that moves a light.
     Light,
     /// A cross at the pixel whose trace the page shows. Dragging a probe doesn't change the picture.
     Probe,
@@ -105,8 +105,8 @@ impl Handle {
         Self::new(label, [parameter; 2], move |values| Some(locate(values)), value_at)
     }
 
-    /// A handle that moves on a circle around the origin and sets an angle. The angle is 0°
-    /// straight up and 90° to the left, and it ranges from −90° to 270°.
+    /// A handle that sets an angle, and moves on a circle around the origin of `view`. The angle is
+    /// 0° straight up and 90° to the left. It ranges from −90° to 270°.
     pub fn of_degrees_left_of_up(
         label: &'static str,
         parameter: ParameterId,
@@ -121,17 +121,17 @@ impl Handle {
         })
     }
 
-    /// The handle of a point in a drawing.
+    /// A handle that moves a point in a drawing.
     pub fn of_point_in_drawing(point: PointId, view: View) -> Self {
         let locate = move |values: &ParameterValues| Some(view.to_drawing(values.point(point)));
         let coordinates = [point.x(), point.y()];
         Self::new(point.0, coordinates, locate, move |_, position| Some(view.to_world(position)))
     }
 
-    /// A handle in a picture that sets the x and y of a point in the world. The point's z doesn't
-    /// change. If the ray through the new position has no point with this z, the handle stays where
-    /// it is. The handle can't be dragged closer to the picture's border than `margin`. There is
-    /// nothing to drag while `camera_and_point` returns None.
+    /// A handle in a picture. The handle sets the x and y of a point in the world, and the point's
+    /// z doesn't change. If the ray through the new position of the handle never reaches this z,
+    /// the handle stays where it is. The handle can't be dragged closer to the picture's border
+    /// than `margin`. There is nothing to drag while `camera_and_point` returns None.
     pub fn of_world_xy_in_picture(
         label: &'static str,
         coordinates: [ParameterId; 2],

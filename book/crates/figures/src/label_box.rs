@@ -5,7 +5,7 @@ use glam::DVec2;
 /// The radius of a handle on a phone, where handles are largest in comparison with the drawing.
 const HANDLE_RADIUS: f64 = 11.0;
 
-/// The smallest distance of a label from other labels and from the border.
+/// The smallest distance that a label keeps from other labels and from the border.
 const MARGIN: f64 = 2.0;
 
 /// A rectangle that contains the text of a label.
@@ -23,8 +23,8 @@ impl LabelBox {
     /// and whether the text begins, ends or is centred at `position`.
     pub fn new(class: &str, position: DVec2, text: &str) -> Self {
         let has = |name: &str| class.split(' ').any(|word| word == name);
-        // The font sizes are those in the theme's css/drawing.css. For small text, this is the size
-        // on a phone, where small text is largest.
+        // The font sizes are those in the theme's css/drawing.css. For small text, this code uses
+        // the size on a phone, where small text is largest.
         let size = match () {
             () if ["strong", "accent", "second"].into_iter().any(has) => 18.0,
             () if ["quiet", "small"].into_iter().any(has) => 15.5,
@@ -40,14 +40,14 @@ impl LabelBox {
         Self { min, max: min + DVec2::new(width, 0.98 * size) }
     }
 
-    /// The smallest shift that moves the box inside a drawing of this size. The box keeps a margin
-    /// to the border, because the letters may be wider than estimated.
+    /// The smallest shift that moves the box inside a drawing of this size. A margin remains
+    /// between the box and the border, because the letters may be wider than estimated.
     pub fn shift_into(&self, drawing_size: DVec2) -> DVec2 {
         let max = drawing_size - MARGIN;
         (MARGIN - self.min).max(DVec2::ZERO) - (self.max - max).max(DVec2::ZERO)
     }
 
-    /// Whether the two boxes intersect, or the gap between them is smaller than a margin.
+    /// Whether the two boxes intersect, or the gap between them is smaller than `MARGIN`.
     pub fn overlaps(&self, other: &Self) -> bool {
         self.min.cmplt(other.max + MARGIN).all() && other.min.cmplt(self.max + MARGIN).all()
     }

@@ -6,9 +6,9 @@
 //! a *handle* or a control, the page calls the same function, compiled for the browser: the page
 //! sends a [`FigureRequest`] and gets a [`Reply`].
 //!
-//! *Readouts* are texts elsewhere on the page that depend on the values. The *trace* of a pixel
-//! consists of all numbers from the pixel's ray to its bytes. A *probe* is a handle that selects
-//! the pixel.
+//! *Readouts* are texts that depend on the values, and are elsewhere on the page. The *trace* of a
+//! pixel consists of all numbers from the pixel's ray to its bytes. A *probe* is a handle that
+//! selects the pixel.
 //!
 //! This crate doesn't read the book's chapters. However, a drawing's caption is written like a
 //! chapter: in Markdown, with directives such as `{{#number row:D}}`. The builder expands the

@@ -14,7 +14,7 @@ pub struct Parameter {
     pub id: ParameterId,
     /// The symbol, written as in the formulas. Empty if there is none.
     pub symbol: &'static str,
-    /// The name that readers see, after the symbol.
+    /// The words that readers see after the symbol.
     pub label: String,
     /// The unit, such as °. Empty if there is none.
     pub unit: &'static str,
@@ -68,7 +68,7 @@ impl Axis {
 }
 
 impl Parameter {
-    /// A number without a symbol or unit.
+    /// A parameter that is a number, without a symbol or a unit.
     pub fn number(
         id: ParameterId,
         label: impl Into<String>,
@@ -118,7 +118,7 @@ impl Parameter {
         [x.with_symbol("x").with_axis(Axis::Right), y.with_symbol("y").with_axis(Axis::Up)]
     }
 
-    /// A choice between several names.
+    /// A parameter that is a choice between several names.
     pub fn choice(
         id: ParameterId,
         label: &'static str,
@@ -130,7 +130,7 @@ impl Parameter {
         Self { kind, ..Self::number(id, label, default, range, 1.0) }
     }
 
-    /// A switch. `is_on` is its default.
+    /// A parameter that is a switch. `is_on` is the default.
     pub fn switch(id: ParameterId, label: &'static str, is_on: bool) -> Self {
         let number = Self::number(id, label, is_on.into(), [0.0, 1.0], 1.0);
         Self { kind: ParameterKind::Switch, ..number }

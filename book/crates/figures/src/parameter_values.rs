@@ -30,18 +30,19 @@ impl ParameterId {
     pub fn is_displayed_as(self, word: &str) -> bool {
         let object = self.object.into_iter().flat_map(|object| object.bytes().chain([b'-']));
         // A request may name 180 parameters, and each name is compared with one id after another.
-        // The lengths are compared first, because this is quick and rules out most ids.
+        // Comparing the lengths first is quick, and rules out most ids.
         let length = self.object.map_or(0, |object| object.len() + 1) + self.name.len();
         let is_equal = |(a, b)| a == if b == b' ' { b'-' } else { b };
         word.len() == length && word.bytes().zip(object.chain(self.name.bytes())).all(is_equal)
     }
 
-    /// The object that the parameter belongs to, if there is one.
+    /// The object that the parameter belongs to. None if the parameter belongs to the figure as a
+    /// whole.
     pub fn object(self) -> Option<&'static str> {
         self.object
     }
 
-    /// The parameter's name, without its object.
+    /// The parameter's name, without the object.
     pub fn name(self) -> &'static str {
         self.name
     }
@@ -93,7 +94,7 @@ impl ParameterValues {
         self[id] == 1.0
     }
 
-    /// The option that is selected in a choice.
+    /// The element of `options` that is selected in a choice.
     pub fn choice<T: Copy>(&self, id: ParameterId, options: &[T]) -> T {
         options[self[id] as usize]
     }
@@ -127,7 +128,8 @@ impl Index<ParameterId> for ParameterValues {
 
 impl FromIterator<(ParameterId, f64)> for ParameterValues {
     fn from_iter<T: IntoIterator<Item = (ParameterId, f64)>>(pairs: T) -> Self {
-        // `collect` would sort the pairs first, and the code for that would add 6 kB to a module.
+        // `collect` would sort the pairs first, and the code for sorting would add 6 kB to a
+        // WebAssembly module.
         let mut values = BTreeMap::new();
         values.extend(pairs);
         Self(values)

@@ -14,8 +14,8 @@ pub const SIZE: DVec2 = dvec2(PICTURE_COLUMNS as f64, PICTURE_ROWS as f64);
 pub const I: ParameterId = ParameterId::new("i");
 pub const J: ParameterId = ParameterId::new("j");
 
-/// A figure that shows a picture as large as the course's. It has `other_parameters` and a probe,
-/// which is at the pixel (i, j) by default.
+/// A figure that shows a picture as large as the course's pictures. The figure has
+/// `other_parameters` and a probe, which is at the pixel (i, j) by default.
 pub fn probed_picture(
     name: &'static str,
     [i, j]: [f64; 2],
@@ -26,7 +26,7 @@ pub fn probed_picture(
     let j = Parameter::number(J, "row", j, [0.0, SIZE.y - 1.0], 1.0);
     let pixel_parameters =
         [i.with_symbol("i").with_axis(Axis::Right), j.with_symbol("j").with_axis(Axis::Down)];
-    // The handle is at the centre of its pixel.
+    // The probe is at the centre of its pixel.
     let locate = |values: &ParameterValues| Some(dvec2(values[I], values[J]) + 0.5);
     let handle =
         Handle::new("the chosen pixel", [I, J], locate, |_, position| Some(position - 0.5));

@@ -23,17 +23,17 @@ const ALLOWED_COLUMNS: RangeInclusive<u32> = 2..=3840;
 pub struct Reply {
     /// A JSON object with what the page shows, or with an `error`.
     pub text: String,
-    /// The pixels of a picture. Empty if there is no picture.
+    /// The pixels of a picture, as [`rgba_bytes`] returns them. Empty if the reply has no picture.
     pub pixels: Vec<u8>,
 }
 
 impl Reply {
-    /// A reply with these fields. Their values have to be JSON already.
+    /// A reply with these fields. The value of each field has to be JSON already.
     pub fn from_json_fields(fields: impl IntoIterator<Item = (&'static str, String)>) -> Self {
         Self { text: json::object(fields), pixels: vec![] }
     }
 
-    /// A reply whose only field is the error's message.
+    /// A reply whose only field, `error`, is the error's message.
     pub fn from_error(error: impl Error) -> Self {
         Self::from_json_fields([("error", quote(error))])
     }
@@ -74,15 +74,15 @@ pub fn reply(figure_name: &str, request: &FigureRequest) -> Result<Reply, Figure
     Ok(reply)
 }
 
-/// Returns the requested number of columns, or [`COLUMNS`] if the request has none. A number that
-/// isn't allowed is an error.
+/// Returns the requested number of columns, or [`COLUMNS`] if the request doesn't set the number. A
+/// number outside [`ALLOWED_COLUMNS`] is an error.
 fn allowed_columns(columns: Option<u32>) -> Result<u32, FigureRequestError> {
     let columns = columns.unwrap_or(COLUMNS);
     let is_allowed = ALLOWED_COLUMNS.contains(&columns);
     is_allowed.then_some(columns).ok_or(FigureRequestError::Columns(columns))
 }
 
-/// Replies with what a page has to know before it can show the figure.
+/// Replies with what a page has to know about a figure before the page can show it.
 fn about_figure(figure: &Figure) -> Reply {
     let handles = figure.handles.iter().map(|handle| {
         json::object([
@@ -179,8 +179,8 @@ fn quote_or_null(text: Option<impl Display>) -> String {
     text.map_or("null".to_owned(), quote)
 }
 
-/// Converts a picture to the format of a canvas: row by row, each pixel's red, green and blue, and
-/// 255 for its opacity.
+/// Converts a picture to the bytes of an HTML canvas. Each pixel has four bytes: red, green, blue,
+/// and 255 for the opacity.
 pub fn rgba_bytes(image: &RgbImage) -> Vec<u8> {
     let mut bytes = vec![255; 4 * image.as_raw().len() / 3];
     for (rgba, Rgb([red, green, blue])) in bytes.chunks_exact_mut(4).zip(image.pixels()) {
@@ -193,7 +193,7 @@ pub fn rgba_bytes(image: &RgbImage) -> Vec<u8> {
 mod tests {
     use super::*;
 
-    /// Parses the values of a request from a text that is written like an address.
+    /// Parses the values of a request, which are written as in an address.
     fn parse_values(text: &str) -> Vec<(String, f64)> {
         let parts = text.split(',').filter_map(|part| part.split_once(':'));
         parts.map(|(id, value)| (id.to_owned(), value.parse().expect(text))).collect()

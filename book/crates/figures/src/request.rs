@@ -1,4 +1,4 @@
-//! What a page asks for about a figure.
+//! The requests that a page makes about a figure.
 
 use crate::AddressError;
 use thiserror::Error;
@@ -8,7 +8,7 @@ use thiserror::Error;
 pub enum FigureRequest {
     /// Asks for a description of the parameters and the handles.
     About,
-    /// Asks for everything that the page shows with these values.
+    /// Asks for everything that the page shows for these values.
     Show {
         /// The names of parameters, each with a value.
         values: Vec<(String, f64)>,

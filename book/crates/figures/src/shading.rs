@@ -5,9 +5,9 @@ use step04_diffuse::{
     AMBIENT_LIGHT, Matte, OBJECTS, Object, PointLight, Ray, Scene, Sphere, WARM_LIGHT, colour, rgb8,
 };
 
-/// The direction to the light. Its components lead to the right, upwards and out of the page. The
-/// light comes from over the reader's left shoulder, just as the warm light shines on the red
-/// sphere in the picture of step 4.
+/// The direction to the light. The x axis points to the right, the y axis upwards, and the z axis
+/// out of the page. The light comes from over the reader's left shoulder, as the warm light does
+/// for the red sphere in the picture of step 4.
 pub const TO_LIGHT: DVec3 = DVec3::new(-3.35, 5.16, 5.4);
 
 /// The distance from a ball to the light, in radii of the ball.
@@ -17,14 +17,14 @@ const LIGHT_DISTANCE: f64 = 8.0;
 const STEPS: u32 = 6;
 
 /// A radial gradient that shades the balls in a drawing. All balls that are seen from the same side
-/// share the gradient. Its colours are those that step 4 computes for a teal ball in the scene's
-/// ambient light and warm light.
+/// share a gradient. The gradient has the colours that step 4 computes for a teal ball in the
+/// scene's ambient light and warm light.
 #[derive(Clone, Debug)]
 pub struct Shading {
-    /// The id of the gradient, which must be unique on a page.
+    /// The gradient's id. It must be unique on a page.
     pub id: &'static str,
-    /// The point on the ball that is nearest to the light, as an offset from the ball's centre to
-    /// the right and upwards, in radii.
+    /// The brightest point of the ball, which is nearest to the light. Its coordinates are measured
+    /// from the ball's centre to the right and upwards, in radii.
     brightest: DVec2,
     /// The colours at equal steps along the line from the brightest point to the opposite side of
     /// the outline.
@@ -32,8 +32,7 @@ pub struct Shading {
 }
 
 impl Shading {
-    /// The shading by a light in the direction `to_light`. The direction's components lead to the
-    /// right, upwards and out of the page.
+    /// The shading by a light in the direction `to_light`, with axes as in `TO_LIGHT`.
     pub fn new(id: &'static str, to_light: DVec3) -> Self {
         let brightest = to_light.normalize().truncate();
         // A ray through the outline itself might miss the ball.
@@ -45,8 +44,7 @@ impl Shading {
         Self { id, brightest, colours: colours.collect() }
     }
 
-    /// The gradient as an SVG element. Its unit of length is the diameter of the ball that it
-    /// fills.
+    /// The gradient as an SVG element. The gradient's unit of length is the diameter of the ball.
     pub fn svg(&self) -> String {
         let Self { id, brightest: DVec2 { x, y }, colours } = self;
         let stops = colours.iter().zip(0..).map(|([red, green, blue], k)| {
@@ -71,8 +69,8 @@ fn teal_ball(to_light: DVec3) -> Scene<Matte, PointLight> {
     Scene { objects: vec![ball], ambient_light: AMBIENT_LIGHT, lights: vec![light] }
 }
 
-/// The colour of the ball at a point, as seen from the front. The point is an offset from the
-/// ball's centre to the right and upwards, in radii.
+/// The colour of the ball at a point, as seen from the front. The point's coordinates are measured
+/// from the ball's centre to the right and upwards, in radii.
 fn ball_colour_at(scene: &Scene<Matte, PointLight>, point: DVec2) -> [u8; 3] {
     rgb8(colour(scene, &Ray { start: point.extend(2.0), direction: DVec3::NEG_Z })).0
 }
@@ -81,7 +79,7 @@ fn ball_colour_at(scene: &Scene<Matte, PointLight>, point: DVec2) -> [u8; 3] {
 mod tests {
     use super::*;
 
-    /// The colour of the gradient at a point, which is an offset as in `ball_colour_at`.
+    /// The gradient's colour at a point. The point's coordinates are as in [`ball_colour_at`].
     fn gradient_colour_at(shading: &Shading, point: DVec2) -> [u8; 3] {
         let offset = point.distance(shading.brightest) / (1.0 + shading.brightest.length());
         let (k, fraction) = ((offset * f64::from(STEPS)) as usize, offset * f64::from(STEPS) % 1.0);

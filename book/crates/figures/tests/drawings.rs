@@ -1,5 +1,5 @@
-//! Locks each figure's texts, its replies to a page, and what dragging its handles does. In the
-//! snapshots, each element of a drawing and each field of JSON has its own line.
+//! Locks the texts of each figure, the replies to a page, and the effects of dragging the handles.
+//! In the snapshots, each element of a drawing and each field of JSON has its own line.
 
 use course::{Step, find_draw_function};
 use figures::{
@@ -10,7 +10,7 @@ use glam::{DVec2, dvec2};
 use insta::assert_snapshot;
 
 /// The reply to a request, split into lines. If the reply has pixels, the text ends with the first
-/// 40 of them.
+/// 40 pixels.
 fn reply_lines(figure: &Figure, request: &FigureRequest) -> String {
     let Reply { text, pixels } = reply(figure.name, request).unwrap_or_else(Reply::from_error);
     let text = json_lines(&text).replace("\\\"", "\"").replace("\\u000a", "\n");
@@ -21,8 +21,8 @@ fn reply_lines(figure: &Figure, request: &FigureRequest) -> String {
     text + &pixels.collect::<String>()
 }
 
-/// Splits a JSON object into lines: one for each field, for each object in a list, and for each
-/// text in `texts` and in `readouts`.
+/// Splits a JSON object into lines. Each field, each object in a list, and each text in `texts` or
+/// `readouts` begins a line.
 fn json_lines(json: &str) -> String {
     let (mut lines, mut depth, mut is_string, mut has_long_texts) =
         (String::new(), 0, false, false);
@@ -50,7 +50,7 @@ fn json_lines(json: &str) -> String {
     lines
 }
 
-/// Lists requests about a figure. Each request is described in words, and is followed by its reply.
+/// Lists the replies to requests about a figure. Each reply follows the description of its request.
 fn replies(figure: &Figure, requests: &[(String, FigureRequest)]) -> String {
     let parts: Vec<_> = requests
         .iter()
@@ -59,8 +59,8 @@ fn replies(figure: &Figure, requests: &[(String, FigureRequest)]) -> String {
     parts.join("\n")
 }
 
-/// Returns a request to show the figure with these values, and the request's description. A picture
-/// has only eight columns.
+/// Returns a request to show the figure with these values, preceded by a description of the
+/// request. If the figure is a picture, the request asks for only eight columns.
 fn described_show_request(figure: &Figure, values: &ParameterValues) -> (String, FigureRequest) {
     let columns = match figure.content {
         Content::Drawing { .. } => None,
@@ -90,8 +90,8 @@ fn spread_values(figure: &Figure, seed: usize) -> ParameterValues {
     attempts.next().expect("the values of some attempt are allowed")
 }
 
-/// The default values and, if there are parameters, two sets of values that are spread over the
-/// parameters' ranges.
+/// The default values, and two sets of values that are spread over the parameters' ranges. If the
+/// figure has no parameters, only the default values.
 fn default_and_spread_values(figure: &Figure) -> Vec<ParameterValues> {
     let [first, second] = [1, 2].map(|seed| spread_values(figure, seed));
     let mut all = vec![figure.default_values(), first, second];
@@ -136,7 +136,7 @@ fn texts_and_replies_are_as_locked() {
     }
 }
 
-/// Returns those of the following sets of values with which the figure has something to show:
+/// Returns the following sets of values, except those that leave the figure with nothing to show:
 /// - the default values;
 /// - for each end of each parameter's range, the default values with only this parameter at this
 ///   end;
@@ -198,8 +198,8 @@ fn ids_in_a_drawing_begin_with_the_name_of_its_figure() {
     }
 }
 
-/// Lists the handles. For each, gives its position with these values, and the new values of its two
-/// parameters after it is dragged to a fixed position.
+/// Lists the figure's handles. Each line has the position of a handle with these values, and the
+/// new values of the handle's two parameters after a drag to a fixed position.
 fn describe_handles_before_and_after_drag(figure: &Figure, values: &ParameterValues) -> String {
     let lines = figure.handles.iter().map(|handle| {
         let position = (handle.locate)(values).map(DVec2::round);

@@ -1,5 +1,6 @@
-//! Keeps the table and the small pictures of the mistakes up to date, by drawing each mistake that
-//! has changed.
+//! Keeps the table and the small pictures of the mistakes up to date. A mistake is wrong code that
+//! readers may write in a step. To *draw* a mistake is to draw the pictures of the steps with this
+//! wrong code.
 
 use crate::error::{XtaskError, XtaskResult};
 use crate::mistakes_program::{self, DrawnPictures, title_and_file, unindented_text_with_mistake};
@@ -15,24 +16,24 @@ use std::collections::HashMap;
 use std::fs;
 
 /// The maximum number of mistakes in one program. With more, the compiler would need too much
-/// memory. The results are written after each program, so a command that is interrupted keeps the
-/// results of all programs that have finished.
+/// memory. The results are written after each program, so that an interruption loses only the
+/// results of one program.
 const BATCH_SIZE: usize = 60;
 
 /// All mistakes, and what is known about their pictures.
 pub struct DrawnMistakes {
-    /// The names and hashes of the right pictures.
+    /// The name and the hash of each right picture, which is drawn without mistakes.
     right_pictures: Vec<(&'static str, u64)>,
-    /// All mistakes, each with its redraw key.
+    /// All mistakes, each with the result of [`redraw_key`].
     all: Vec<(u32, &'static Mistake)>,
-    /// The rows of the table, keyed by redraw key.
+    /// The rows of the table, keyed by the result of [`redraw_key`].
     rows: HashMap<u32, Vec<Option<u64>>>,
     /// The small pictures, keyed by name.
     small_pictures: HashMap<&'static str, RgbImage>,
 }
 
-/// Draws the mistakes that have no row in the table or lack a small picture, and writes the table
-/// and the small pictures.
+/// Draws each mistake that lacks its row in the table or one of its small pictures. Then writes the
+/// table and the small pictures.
 pub fn draw_new_mistakes() -> XtaskResult<()> {
     let mut drawn_mistakes = DrawnMistakes::read()?;
     let new: Vec<_> = drawn_mistakes.mistakes_to_draw().copied().collect();
@@ -51,8 +52,8 @@ pub fn draw_new_mistakes() -> XtaskResult<()> {
 }
 
 /// Hashes everything that determines a mistake's pictures:
-/// - the code of its file, with the mistake in it;
-/// - the right pictures of the steps that the mistake affects;
+/// - the code of the mistake's file, with the mistake applied;
+/// - the right pictures of the steps that the mistake affects, drawn without the mistake;
 /// - the names and steps of the pictures in the book that show the mistake.
 ///
 /// If the hash changes, the mistake has to be drawn again.
@@ -84,8 +85,8 @@ impl DrawnMistakes {
         Ok(Self { right_pictures, all, rows, small_pictures })
     }
 
-    /// The mistakes that have to be drawn: those that haven't been drawn since their code or the
-    /// right pictures last changed, and those that lack a small picture.
+    /// The mistakes that have to be drawn: those whose current redraw key has no row in the table,
+    /// and those that lack a small picture.
     pub fn mistakes_to_draw(&self) -> impl Iterator<Item = &(u32, &'static Mistake)> {
         self.all.iter().filter(|(key, mistake)| {
             let has_picture =
@@ -95,7 +96,7 @@ impl DrawnMistakes {
     }
 
     /// Stores the row and the small pictures of a mistake that has been drawn. Prints the mistake's
-    /// title if it changes no picture.
+    /// title if the mistake changes no picture.
     fn record(&mut self, key: u32, mistake: &Mistake, pictures: &DrawnPictures) {
         let hash = |(step, picture): &(Step, Option<RgbImage>)| {
             let hash = hash_picture(picture.as_ref()?);
@@ -115,8 +116,7 @@ impl DrawnMistakes {
         }
     }
 
-    /// The small pictures of a step, each with its name. Their order is that of the list of
-    /// mistakes.
+    /// The small pictures of a step and their names, in the order of the list of mistakes.
     fn small_pictures_of_step(&self, step: Step) -> Vec<(&'static str, &RgbImage)> {
         let shown = self.all.iter().flat_map(|(_, mistake)| mistake.pictures());
         shown
@@ -175,8 +175,12 @@ mod tests {
         let is_shown = |(_, mistake): &&(u32, &Mistake)| {
             mistake.shown.is_some() && !known.contains(&title_and_file(mistake))
         };
-        let (key, mistake) =
-            without_row.all.iter().rfind(is_shown).copied().expect("a mistake is shown and drawn");
+        let (key, mistake) = without_row
+            .all
+            .iter()
+            .rfind(is_shown)
+            .copied()
+            .expect("the book shows a mistake that has been drawn");
         let expected = [title_and_file(mistake)];
         without_row.rows.remove(&key);
         without_picture.small_pictures.remove(mistake.pictures()[0].name);

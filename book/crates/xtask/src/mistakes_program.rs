@@ -55,7 +55,8 @@ pub fn draw_mistakes(mistakes: &[&Mistake]) -> XtaskResult<Vec<DrawnPictures>> {
         .collect())
 }
 
-/// Applies a mistake to the text of its file. Returns this text without indentation.
+/// Reads the file of a mistake and applies the mistake. Returns the resulting text without
+/// indentation.
 pub fn unindented_text_with_mistake(mistake: &Mistake) -> XtaskResult<String> {
     let text = read_text(&workspace().join(&mistake.file))?;
     mistake.apply_and_strip_indentation(&text).map_err(|count| {
@@ -72,7 +73,7 @@ fn write_text(path: &Path, text: &str) -> XtaskResult<()> {
     fs::write(path, text).map_err(XtaskError::of_file(path))
 }
 
-/// Returns the title of a mistake, and its file in parentheses.
+/// Returns the title of a mistake, followed by the mistake's file in parentheses.
 pub fn title_and_file(mistake: &Mistake) -> String {
     format!("{} ({})", mistake.title, mistake.file)
 }
@@ -81,14 +82,14 @@ fn generated_package_folder() -> PathBuf {
     target_folder().join("mistakes")
 }
 
-/// The path, without its extension, of the file in which the program saves a step's picture with
-/// mistake `k`.
+/// Where the program saves a step's picture with mistake `k`: the path of the file, without the
+/// extension.
 fn picture_path_without_extension(k: usize, step: Step) -> String {
     format!("src/m{k}/{}", step.name())
 }
 
-/// Writes the package of the program: its manifest and lock file, a module for each mistake, and
-/// the main file.
+/// Writes the program's package: the manifest and the lock file, a module for each mistake, and the
+/// main file.
 fn write_package(mistakes: &[&Mistake]) -> XtaskResult<()> {
     let folder = generated_package_folder();
     let manifest = MANIFEST_START.to_owned() + &dependencies_of_step_copies();
@@ -155,7 +156,8 @@ mod tests {
             unindented_text_with_mistake(&mistake).is_ok_and(|text| text.contains(&mistake.new))
         );
         mistake.old = "no such code".to_owned();
-        let error = unindented_text_with_mistake(&mistake).expect_err("the code isn't there");
+        let error = unindented_text_with_mistake(&mistake)
+            .expect_err("code that is gone can't be replaced");
         let message = "the code of the mistake \"the angle is in degrees\" must appear once in \
                        steps/step01_rays/src/program.rs, but appears 0 times";
         assert_eq!(error.to_string(), message);

@@ -1,28 +1,28 @@
-//! Hashes source code, to find out whether the pages' modules and the pictures of the mistakes are
-//! up to date. Comments, documentation, blank lines and indentation have no influence on the hash,
-//! except in files that a page shows.
+//! Hashes source code, to find out whether the WebAssembly modules and the pictures of the mistakes
+//! are up to date. Blank lines, indentation and lines that contain only a comment don't affect the
+//! hash, except in files that a page shows.
 
 use crate::error::{XtaskError, XtaskResult};
 use course::{fnv_1a, workspace};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// The folders that contain the modules' sources.
+/// The folders that contain the sources of the WebAssembly modules.
 const FOLDERS: [&str; 5] =
     ["steps", "book/crates/check", "book/crates/course", "book/crates/figures", "book/crates/page"];
 
 /// Names of files and folders in [`FOLDERS`] that aren't hashed:
 /// - the file that contains the hash;
-/// - the folder of mistakes, which a page loads separately;
+/// - the folder with the lists of mistakes, which a page loads separately;
 /// - tests and benchmarks.
 const SKIPPED_PATH_ENDS: [&str; 4] = ["modules.txt", "course/mistakes", "tests", "benches"];
 
-/// Sources that a page shows for readers to copy. In these files, comments and indentation are
-/// hashed, too.
+/// Source files that a page shows for readers to copy. The whole text of these files is hashed,
+/// including comments and indentation.
 const SHOWN_ON_PAGES: [&str; 3] =
     ["examples/own_scene.rs", "examples/look_at.rs", "figures/src/own_scene/program.rs"];
 
-/// Hashes all sources of the modules, including manifests.
+/// Hashes all sources of the WebAssembly modules, including manifests.
 pub fn hash_wasm_module_sources() -> XtaskResult<String> {
     let mut files = ["Cargo.toml", "Cargo.lock"].map(|file| workspace().join(file)).to_vec();
     for folder in FOLDERS {
@@ -38,20 +38,20 @@ pub fn hash_wasm_module_sources() -> XtaskResult<String> {
     Ok(format!("{:016x}", hash_texts(texts?)))
 }
 
-/// Hashes several texts into one number, which also depends on where each text ends.
+/// Hashes several texts into a single number. The number also depends on where each text ends.
 pub fn hash_texts(texts: impl IntoIterator<Item = String>) -> u64 {
     fnv_1a(texts.into_iter().flat_map(|text| text.into_bytes().into_iter().chain([0])))
 }
 
-/// Returns the code without blank lines, indentation, and lines that start with `//`. A comment
-/// after some code stays, and so do the `#` comments in TOML files.
+/// Removes blank lines, indentation, and lines that start with `//`. Comments that follow code on a
+/// line stay, and so do the `#` comments in TOML files.
 pub fn code_lines(code: &str) -> String {
     let lines = code.lines().map(str::trim);
     let lines = lines.filter(|line| !line.is_empty() && !line.starts_with("//"));
     lines.collect::<Vec<_>>().join("\n")
 }
 
-/// Adds the source files in a folder and its subfolders to `files`.
+/// Appends to `files` the source files in a folder and in its subfolders.
 fn push_source_files(folder: &Path, files: &mut Vec<PathBuf>) -> XtaskResult<()> {
     for entry in fs::read_dir(folder).map_err(XtaskError::of_file(folder))? {
         let path = entry.map_err(XtaskError::of_file(folder))?.path();

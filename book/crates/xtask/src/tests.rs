@@ -16,7 +16,7 @@ fn wasm_modules_are_up_to_date_with_their_sources() {
     let is_stale = wasm_modules::are_stale().expect("the sources can be read");
     assert!(!is_stale || !is_ci(), "{note}");
     if is_stale {
-        // Unlike the output of println!, this is shown even if the test passes.
+        // Unlike the output of println!, this note is shown even if the test passes.
         let _ = writeln!(stderr(), "\nNote: {note}");
     }
 }

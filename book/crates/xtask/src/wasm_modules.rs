@@ -41,13 +41,14 @@ pub fn compile_if_stale() -> XtaskResult<()> {
     fs::write(&path, text).map_err(XtaskError::of_file(&path))
 }
 
-/// Compiles the package `page` with the feature `name`. Returns the module's bytes.
+/// Compiles the package `page` with the feature `name`. Returns the bytes of the WebAssembly
+/// module.
 fn compile_module(name: &'static str) -> XtaskResult<Vec<u8>> {
     let sources = registry_source_folders().into_iter().chain([target_folder(), workspace()]);
     let flags: Vec<_> =
         sources.map(|path| format!("--remap-path-prefix={}=", path.display())).collect();
     let folder = target_folder().join("wasm");
-    // The crate in the folder `rayon` replaces the real rayon.
+    // A page has only one thread, so a small crate in the folder `rayon` replaces the real rayon.
     let replacement = format!("paths=[{:?}]", page_package_folder().join("rayon"));
     let status = cargo_command()
         .args(["rustc", "--locked", "--config", &replacement])
@@ -67,9 +68,10 @@ fn compile_module(name: &'static str) -> XtaskResult<Vec<u8>> {
     fs::read(&path).map_err(XtaskError::of_file(&path))
 }
 
-/// Finds a folder of this machine whose path is in a module: the workspace, the target folder or
-/// Cargo's home. A module with such a path would differ from machine to machine.
-/// Paths of the standard library's sources are allowed, because they come with the compiler.
+/// Finds a folder of this machine whose path occurs in a module: the workspace, the target folder
+/// or Cargo's home. A module that contains the path of a local folder would differ from machine to
+/// machine. Paths of the standard library's sources are allowed, because the compiler's version
+/// determines them.
 fn find_local_folder(module: &[u8]) -> Option<PathBuf> {
     let folders = [workspace(), target_folder(), cargo_home()];
     folders.into_iter().find(|folder| {
@@ -78,7 +80,7 @@ fn find_local_folder(module: &[u8]) -> Option<PathBuf> {
     })
 }
 
-/// The folder of the package `page`, which contains the modules.
+/// The folder of the package `page`. The compiled modules are in this folder.
 pub fn page_package_folder() -> PathBuf {
     workspace().join("book/crates/page")
 }
@@ -88,7 +90,8 @@ fn cargo_home() -> PathBuf {
     home.unwrap_or_else(|| env::home_dir().unwrap_or_default().join(".cargo"))
 }
 
-/// Returns the folders in which Cargo keeps the sources of packages, one for each registry.
+/// Returns the folders in which Cargo keeps the sources of packages. Each registry has its own
+/// folder.
 fn registry_source_folders() -> Vec<PathBuf> {
     let folders = fs::read_dir(cargo_home().join("registry/src"));
     folders.into_iter().flatten().flatten().map(|folder| folder.path()).collect()

@@ -42,7 +42,7 @@ fn attenuation(values: &ParameterValues) -> Attenuation {
     Attenuation { a: values[A], b: values[B], c: values[C] }
 }
 
-/// Draws the axes and four curves, each with its name.
+/// Draws the axes, and four curves with their names.
 fn draw(values: &ParameterValues) -> Drawing {
     let view = View { origin: dvec2(56.0, 230.0), scale: dvec2(22.0, 100.0) };
     let position = |d: f64, share: f64| view.xy_to_drawing(d, share);

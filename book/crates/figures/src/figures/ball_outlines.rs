@@ -52,12 +52,13 @@ pub fn figure() -> Figure {
     }
 }
 
-/// Where the view from above shows the centre of a ball that is this many degrees off the axis.
+/// The position, in the view from above, of the centre of a ball. The ball is `degrees` to the
+/// right of the axis.
 fn centre_from_above(degrees: f64) -> DVec2 {
     ABOVE.to_drawing(DISTANCE * direction_left_of_up(-degrees))
 }
 
-/// The x at which a ray that is this many degrees off the axis crosses the image plane.
+/// The x at which a ray crosses the image plane. The ray is `degrees` to the right of the axis.
 fn image_plane_x(degrees: f64) -> f64 {
     degrees.to_radians().tan()
 }
@@ -68,13 +69,14 @@ fn image_half_axes(degrees: f64) -> DVec2 {
     let [left, right] = [degrees - HALF_ANGLE, degrees + HALF_ANGLE].map(image_plane_x);
     let middle = (left + right) / 2.0;
     let (sin, cos) = degrees.to_radians().sin_cos();
-    // The top of the ellipse is on the cone, so the line to it from the eye makes the angle
+    // The top of the ellipse is on the cone, so the line from the eye to the top makes the angle
     // `HALF_ANGLE` with the cone's axis. This gives the distance from the eye to the top.
     let distance = (middle * sin + cos) / HALF_ANGLE.to_radians().cos();
     dvec2((right - left) / 2.0, (distance * distance - middle * middle - 1.0).sqrt())
 }
 
-/// Draws a ball and its image, the two rays that touch the ball, and the ray through its centre.
+/// Draws a ball and its image, the two rays that touch the ball, and the ray through the ball's
+/// centre.
 fn draw_ball(drawing: &mut Drawing, degrees: f64) {
     // Both shadings have the same light, seen once from the front and once from above.
     let DVec3 { x, y, z } = TO_LIGHT;

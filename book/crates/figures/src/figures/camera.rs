@@ -63,7 +63,7 @@ impl CameraFigure {
     }
 
     /// Projects a point in the world to the drawing: rotates the point about the y axis, then about
-    /// the x axis, and drops its z. A wide view is drawn at a smaller scale.
+    /// the x axis, and drops its z. A wide field of view is drawn at a smaller scale.
     fn project(&self, point: DVec3) -> DVec2 {
         let turn = DQuat::from_rotation_x(0.3) * DQuat::from_rotation_y(-0.72);
         let scale = (144.35 / -self.camera.matrix.z_axis.x).min(250.0);
@@ -99,7 +99,7 @@ impl CameraFigure {
         }
     }
 
-    /// Draws V_0, D_u and D_v, and the way to the pixel: along the top row, then down.
+    /// Draws V_0, D_u and D_v, and the way to the chosen pixel: along the top row, then down.
     fn draw_vectors_to_pixel(&self, drawing: &mut Drawing) {
         let Camera { centre, matrix, .. } = self.camera;
         let (d_u, d_v, v_0) = (matrix.x_axis, matrix.y_axis, matrix.z_axis);
@@ -125,7 +125,8 @@ fn clamp_to_picture(camera: &Camera, pixel: DVec2) -> DVec2 {
     pixel.clamp(DVec2::ZERO, last)
 }
 
-/// Draws the pyramid of rays, the vectors that lead to the chosen pixel, and the ray through it.
+/// Draws the pyramid of rays, the vectors that lead to the chosen pixel, and the ray through this
+/// pixel.
 fn draw(values: &ParameterValues) -> Drawing {
     let figure = CameraFigure::new(values);
     let c = figure.project(DVec3::ZERO);

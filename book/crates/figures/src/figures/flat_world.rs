@@ -59,7 +59,8 @@ pub fn figure() -> Figure {
     }
 }
 
-/// The contents of the plane. The material of a ball is the ball's number.
+/// The contents of the plane: the ray from the eye, the light q and the balls. The material of a
+/// ball is the number that the drawing shows beside the ball's centre.
 struct FlatWorld {
     ray: Ray,
     q: DVec3,
@@ -84,8 +85,8 @@ impl FlatWorld {
         Self { ray, q: point(LIGHT), balls: balls.collect() }
     }
 
-    /// Follows the ray from the eye and its reflections until the third hit. Returns the hits, and
-    /// the ray that hits nothing, if there is such a ray.
+    /// Follows the ray from the eye, and the reflections of this ray, until the third hit. Returns
+    /// the hits, and the ray that hits nothing, if there is such a ray.
     fn trace(&self) -> (Vec<PathPoint<'_>>, Option<Ray>) {
         let (mut hits, mut ray) = (vec![], self.ray);
         for _ in 0..3 {
@@ -99,7 +100,7 @@ impl FlatWorld {
     }
 }
 
-/// Draws the balls, the path of the ray, and a line to the light from each hit.
+/// Draws the balls, the path of the ray, and a line from each hit to the light.
 fn draw(values: &ParameterValues) -> Drawing {
     let world = FlatWorld::new(values);
     let (hits, escaping_ray) = world.trace();
@@ -110,8 +111,8 @@ fn draw(values: &ParameterValues) -> Drawing {
         let class = if is_seen { "object seen" } else { "object" };
         let radius = VIEW.scale.x * sphere.radius;
         drawing.circle(class, position(sphere.centre), radius);
-        // The number keeps clear of the handle, which is large on a phone, and of the ball's
-        // outline.
+        // The ball's number must overlap neither the ball's outline nor the ball's handle, which is
+        // large on a phone.
         let right = if radius < 35.0 { radius + 10.0 } else { 25.0 };
         let label = position(sphere.centre) + dvec2(right, 5.0);
         drawing.label("over", label, &material.to_string());
@@ -141,7 +142,7 @@ fn draw(values: &ParameterValues) -> Drawing {
     drawing
 }
 
-/// Describes what the ray and its reflections hit.
+/// Describes the hits of the ray from the eye, and the hits of its reflections.
 fn readouts(values: &ParameterValues) -> Readouts {
     let world = FlatWorld::new(values);
     let (hits, escaping_ray) = world.trace();

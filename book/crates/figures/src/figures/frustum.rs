@@ -24,7 +24,8 @@ const CONTENT: Content = Content::Drawing {
     draw,
 };
 
-/// OpenGL's frustum from the side, with rays that hit even the balls outside the frustum.
+/// OpenGL's frustum from the side, and rays to three balls. The rays also hit the balls outside the
+/// frustum.
 pub fn figure() -> Figure {
     let handle = |label, depth: ParameterId| {
         let locate = move |values: &ParameterValues| {
@@ -42,12 +43,12 @@ pub fn figure() -> Figure {
     }
 }
 
-/// Where the view from the side shows a point in the world.
+/// The position, in the view from the side, of a point in the world.
 fn side_view_position(point: DVec3) -> DVec2 {
     VIEW.xy_to_drawing(-point.z, point.y)
 }
 
-/// The rays along the upper and the lower edge of the view.
+/// The rays along the top and the bottom edge of the field of view.
 fn top_and_bottom_rays() -> [Ray; 2] {
     let camera = Camera::new(2, 2, 40_f64.to_radians());
     [0.0, 1.0].map(|j| camera.ray(0.5, j))
@@ -106,8 +107,8 @@ fn draw(values: &ParameterValues) -> Drawing {
         } else {
             drawing.ball(&shading, centre, DVec2::splat(radius));
         }
-        // The label keeps clear of the other balls' rays: it is above a ball in the upper half of
-        // the view, and below a ball in the lower half.
+        // So that no label overlaps the ray to another ball, the label of a high ball is above the
+        // ball, and the label of a low ball is below the ball.
         let below = if sphere.centre.y > 0.0 { -radius - 10.0 } else { radius + 40.0 };
         drawing.label("quiet over", centre + dvec2(0.0, below), clipping.label());
         let ray = Ray { start: DVec3::ZERO, direction: sphere.centre };

@@ -35,7 +35,7 @@ pub fn figure() -> Figure {
     }
 }
 
-/// Draws the spheres and the ray, with a dot and a number at each root.
+/// Draws the spheres and the ray, with a dot at each root and the root's value below the dot.
 fn draw(values: &ParameterValues) -> Drawing {
     let ray = Ray { start: DVec3::ZERO, direction: DVec3::X };
     let objects = SPHERES.iter().zip(0..).map(|(&(centre, radius), material)| Object {
@@ -61,9 +61,10 @@ fn draw(values: &ParameterValues) -> Drawing {
     drawing.dot("eye", position(0.0));
     drawing.label("strong over", position(0.0) + dvec2(0.0, -12.0), "$S$");
     for Object { sphere, material: k, .. } in &objects {
-        // Each sphere has a row with the numbers of its roots. A line leads down to each number
-        // from its root's dot. The first number is to the left of its line and the second to the
-        // right of its line, so that the two numbers don't overlap.
+        // Each sphere has a row in which the values of its roots are written. A line leads down
+        // from the dot of each root to the root's value. The first value is to the left of its
+        // line, and the second value is to the right of its line, so that the two values don't
+        // overlap.
         let y = 222.0 + 20.0 * *k as f64;
         for (t, anchor) in sphere.intersect(&ray).into_iter().zip(["end", "start"]) {
             let (dot, label) = match nearest_hit {

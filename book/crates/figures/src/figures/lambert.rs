@@ -41,7 +41,7 @@ pub fn figure() -> Figure {
     }
 }
 
-/// Draws a beam that falls straight down, and a beam at the reader's angle.
+/// Draws a beam that falls straight down, and a beam at the angle that the reader has set.
 fn draw(values: &ParameterValues) -> Drawing {
     let mut drawing = Drawing::new(300.0);
     draw_beam_on_ground(&mut drawing, dvec2(106.0, 210.0), 0.0);
@@ -49,8 +49,8 @@ fn draw(values: &ParameterValues) -> Drawing {
     drawing
 }
 
-/// Draws a beam that falls on the ground at an angle to the normal, the strip that it lights, and
-/// the numbers below them.
+/// Draws a beam at an angle to the normal, the strip of ground that the beam lights, and the
+/// numbers below the strip.
 fn draw_beam_on_ground(drawing: &mut Drawing, ground: DVec2, degrees: f64) {
     let angle = degrees.to_radians();
     let l = direction_left_of_up(degrees);
@@ -84,8 +84,8 @@ fn draw_beam_on_ground(drawing: &mut Drawing, ground: DVec2, degrees: f64) {
     }
     let is_strip = is_lit && edge == 1.0;
     if is_strip {
-        // This line is a leg of a right triangle, and as long as the beam is wide. The strip is the
-        // triangle's hypotenuse.
+        // This line is as long as the beam is wide. It is one leg of a right triangle whose
+        // hypotenuse is the strip.
         let corner = foot(-1.0);
         let end = corner + 52.0 * across;
         drawing.line("vector", corner, end);

@@ -1,5 +1,5 @@
-//! The drawings, which call the steps' own functions wherever they can. With `use super::*`, each
-//! file imports everything that is imported here.
+//! The drawings, which call the steps' own functions wherever possible. Each file in this folder
+//! says `use super::*`, which imports everything that this module imports.
 
 pub mod attenuation;
 pub mod ball_outlines;

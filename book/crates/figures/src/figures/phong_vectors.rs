@@ -4,7 +4,8 @@ use super::*;
 use std::f64::consts::FRAC_PI_2;
 use step05_phong::reflect;
 
-/// Maps the plane of the vectors to the drawing. The origin is the hit, where all vectors start.
+/// Maps the plane of the vectors to the drawing. The origin is the point on the sphere, where all
+/// four vectors start.
 const VIEW: View = View { origin: dvec2(240.0, 240.0), scale: DVec2::splat(190.0) };
 
 const ANGLE: ParameterId = ParameterId::new("angle");
@@ -29,7 +30,7 @@ pub fn figure() -> Figure {
     }
 }
 
-/// Draws the top of a sphere, and the four vectors at a point on it.
+/// Draws the top of a sphere, and the four vectors at a point on the sphere.
 fn draw(values: &ParameterValues) -> Drawing {
     let mut drawing = Drawing::new(320.0);
     let p = VIEW.origin;

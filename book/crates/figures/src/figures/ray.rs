@@ -23,8 +23,8 @@ const CONTENT: Content = Content::Drawing {
     draw,
 };
 
-/// A ray in the plane z = 0, with the points at several values of t. Another point stays at the
-/// same distance from S when V gets longer.
+/// A ray in the plane z = 0, with the points at several values of t. The reader sets how far
+/// another point is from S. This point stays where it is when V gets longer.
 pub fn figure() -> Figure {
     let start = Parameter::point(START, [0.0, 0.0], [[-2.0, 7.0], [-0.5, 2.5]], 10.0);
     let v = Parameter::point(V, [2.4, 0.7], [[-4.0, 7.0], [-4.0, 4.0]], 10.0);
@@ -67,7 +67,7 @@ fn t_at_distance(values: &ParameterValues) -> f64 {
     values[DISTANCE] / ray(values).direction.length()
 }
 
-/// The position of r(t) in the drawing.
+/// The position, in the drawing, of the point at `t` on the ray.
 fn position_on_ray(values: &ParameterValues, t: f64) -> DVec2 {
     VIEW.to_drawing(ray(values).at(t).truncate())
 }
@@ -77,12 +77,13 @@ fn v_tip_position(values: &ParameterValues) -> DVec2 {
     position_on_ray(values, 1.0) + BESIDE
 }
 
-/// Whether a position is at least 14 from the border of the drawing.
+/// Whether a position is at least 14 units from the border of the drawing.
 fn is_well_inside_drawing(position: DVec2) -> bool {
     position.clamp(DVec2::splat(14.0), SIZE - 14.0) == position
 }
 
-/// Draws the ray, V beside it, and the points at several values of t and at the reader's distance.
+/// Draws the ray, and the arrow V beside the ray. Also draws the points at several values of t, and
+/// the point whose distance from S the reader sets.
 fn draw(values: &ParameterValues) -> Drawing {
     let position = |t: f64| position_on_ray(values, t);
     let (s, v) = (position(0.0), position(1.0) - position(0.0));
@@ -95,7 +96,7 @@ fn draw(values: &ParameterValues) -> Drawing {
     drawing.label("strong over", position(0.5) + BESIDE + dvec2(-6.0, -10.0), "$V$");
     drawing.label("strong over", s + dvec2(-18.0, -12.0), "$S$");
     // If the ray's line slopes down to the right, the labels are above the line. Otherwise, the
-    // labels are below it.
+    // labels are below the line.
     let shift = dvec2(8.0, if v.x * v.y <= 0.0 { 28.0 } else { -18.0 });
     for t in (-1..10).map(|k| f64::from(k).max(-0.5)) {
         let label = position(t) + shift;

@@ -1,9 +1,11 @@
-//! The highlight that the slide's formula draws where the light is behind the surface.
+//! The highlight that the formula on the lecture's slide draws where the light is behind the
+//! surface.
 
 use super::*;
 use step05_phong::reflect;
 
-/// Maps the plane of the vectors to the drawing. The origin is the point on the rim.
+/// Maps the plane of the vectors to the drawing. The origin is the point near the rim, where all
+/// four vectors start.
 const VIEW: View = View { origin: dvec2(240.0, 150.0), scale: DVec2::splat(160.0) };
 
 /// The ball's radius in the drawing.
@@ -36,14 +38,14 @@ pub fn figure() -> Figure {
     }
 }
 
-/// The unit vectors n, l, r and v. n leans a little towards the eye.
+/// The unit vectors n, l, r and v. The vector n leans a little towards the eye.
 fn phong_vectors(values: &ParameterValues) -> [DVec3; 4] {
     let [n, l, v] =
         [-8.0, values[ANGLE], -90.0].map(|angle| direction_left_of_up(angle).extend(0.0));
     [n, l, reflect(n, l), v]
 }
 
-/// Draws the top of the ball, and the four vectors at a point near its rim.
+/// Draws the top of the ball, and the four vectors at a point near the rim.
 fn draw(values: &ParameterValues) -> Drawing {
     let mut drawing = Drawing::new(314.0);
     let p = VIEW.origin;

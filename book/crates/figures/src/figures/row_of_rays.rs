@@ -77,7 +77,8 @@ fn draw(values: &ParameterValues) -> Drawing {
         drawing.line("ray faint", c, end);
         drawing.dot("ray", tips[i]);
         if [0, last].contains(&i) {
-            // In a narrow view, the two labels would overlap, so they are moved apart.
+            // In a narrow field of view, the labels of the first and the last ray would overlap, so
+            // they are moved apart.
             let x = if i == 0 { end.x.min(c.x - 26.0) } else { end.x.max(c.x + 26.0) };
             drawing.label("quiet", dvec2(x, end.y - 8.0), &format!("$i$ = {i}"));
         }
@@ -85,7 +86,7 @@ fn draw(values: &ParameterValues) -> Drawing {
     drawing.arc("axis", c, 54.0, [PI - v_0.to_angle(), v_0.to_angle()]);
     drawing.label("over", c + dvec2(13.0, -64.0), "$θ$");
     drawing.arrow("vector", c, tips[0]);
-    // The label is to the left of the arrow.
+    // The label of V_0 is to the left of the arrow V_0.
     let beside = 20.0 * (tips[0] - c).normalize().perp();
     drawing.label("strong", (c + tips[0]) / 2.0 - beside + dvec2(0.0, 6.0), "$V_0$");
     for step in tips.windows(2).take(2) {
@@ -94,7 +95,7 @@ fn draw(values: &ParameterValues) -> Drawing {
     drawing.label("accent over", (tips[0] + tips[1]) / 2.0 + dvec2(0.0, -10.0), "$D$");
     drawing.dot("eye", c);
     drawing.label("strong", c + dvec2(0.0, 26.0), "$C$");
-    // A right triangle with half the field of view as its angle at C.
+    // This right triangle has the angle θ/2 at C.
     let corner = view.xy_to_drawing(tan, 0.0);
     drawing.path("guide", [c, corner, view.xy_to_drawing(tan, 1.0)]);
     drawing.label("quiet start", view.xy_to_drawing(tan, 0.5) + dvec2(10.0, 5.0), "1");

@@ -61,7 +61,7 @@ fn draw(values: &ParameterValues) -> Drawing {
         drawing.line("grid", left, right);
         drawing.label("quiet start", left + dvec2(0.0, -5.0), &format!("$t$ = {t}"));
     }
-    // The largest sphere is drawn first, so that the ground is beneath the other spheres.
+    // The largest sphere, the ground, is drawn first, so that it doesn't cover the other spheres.
     let mut objects = OBJECTS;
     objects.sort_by(|a, b| b.sphere.radius.total_cmp(&a.sphere.radius));
     for Object { name, sphere, .. } in &objects {

@@ -17,7 +17,7 @@ const CONTENT: Content = Content::Drawing {
     draw,
 };
 
-/// The light, and one lobe for each of several exponents. The reader can set one exponent.
+/// The light, and one lobe for each of several exponents. The reader can set one of the exponents.
 pub fn figure() -> Figure {
     Figure {
         parameters: vec![
@@ -30,7 +30,8 @@ pub fn figure() -> Figure {
     }
 }
 
-/// Draws the lobes with a legend, the vectors l, n and r, and an arc at half the lobes' length.
+/// Draws the lobes and their legend. Also draws the vectors l, n and r, and an arc at half the
+/// length of the lobes.
 fn draw(values: &ParameterValues) -> Drawing {
     let reader_n = values[EXPONENT] as i32;
     // r is as far to the right of n as the light is to the left.
@@ -38,7 +39,7 @@ fn draw(values: &ParameterValues) -> Drawing {
     let mut drawing = Drawing::new(300.0);
     drawing.line("plane", dvec2(30.0, 258.0), dvec2(450.0, 258.0));
     let on_lobe = |n: i32, v: DVec2| VIEW.to_drawing(r.dot(v).max(0.0).powi(n) * v);
-    // The reader's lobe is on top of the others, in a different colour.
+    // The lobe for the reader's exponent comes last, so that it is on top of the other lobes.
     let mut exponents = vec![1, 10, 40];
     exponents.retain(|&n| n != reader_n);
     exponents.push(reader_n);
@@ -56,13 +57,14 @@ fn draw(values: &ParameterValues) -> Drawing {
         drawing.arrow(class, VIEW.origin, VIEW.to_drawing(tip));
         drawing.label("strong over", VIEW.to_drawing(tip) + shift, name);
     }
-    // Draws the legend, with the widest lobe at the bottom.
+    // The legend lists the exponents, with the smallest at the bottom.
     exponents.pop();
     exponents.insert(exponents.partition_point(|&n| n < reader_n), reader_n);
     for (n, (angle, y)) in
         exponents.into_iter().zip([(0.12, 226.0), (0.44, 190.0), (0.6, 154.0), (0.7, 118.0)])
     {
-        // The line from a label meets the lobe to the right of r and above the ground.
+        // A line leads from the exponent to a point on the exponent's lobe. The point is to the
+        // right of r and above the ground.
         let v = DVec2::from_angle((r.to_angle() - FRAC_PI_4 + angle).max(0.0));
         let label = dvec2(418.0, y);
         drawing.line("axis", on_lobe(n, v), label - dvec2(5.0, 5.0));

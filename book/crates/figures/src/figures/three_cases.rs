@@ -6,7 +6,7 @@ use step02_sphere::{Ray, Sphere};
 
 const SPHERE: Sphere = Sphere { centre: DVec3::ZERO, radius: 1.0 };
 
-/// The rays' starting points, from left to right, each with its default y.
+/// The start of each ray and the default y of this start, for the rays from left to right.
 const STARTS: [(PointId, f64); 3] = [
     (PointId("the start of the left ray"), 1.375),
     (PointId("the start of the middle ray"), 1.0),
@@ -59,7 +59,7 @@ fn draw(values: &ParameterValues) -> Drawing {
 /// Draws one case: the circle, the ray, and the parabola below them, with dots at the roots.
 fn draw_ray_and_parabola(drawing: &mut Drawing, ray: &Ray, circle_view: View) {
     let x = circle_view.origin.x;
-    // The parabola is straight below the ray, with t = 0 below the start.
+    // The parabola is straight below the ray, with t = 0 below the ray's start.
     let origin = dvec2(x + 33.0 * ray.start.x, 278.0);
     let parabola_view = View { origin, scale: dvec2(33.0, 16.0) };
     let [first, last] = X_RANGE.map(|end| end - ray.start.x);

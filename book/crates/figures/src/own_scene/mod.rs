@@ -38,8 +38,8 @@ pub fn figure() -> Figure {
     }
 }
 
-/// The handle for the sphere or light with index `k`. The handle can be dragged only while the
-/// switch `presence` is on.
+/// Returns the handle for the sphere or light with index `k`. The handle can be dragged only while
+/// the switch `presence` is on. Returns None if the position can't be set.
 fn sphere_or_light_handle(owner: Owner, k: usize, presence: ParameterId) -> Option<Handle> {
     let camera_and_point = move |values: &ParameterValues| {
         values.is_on(presence).then(|| {

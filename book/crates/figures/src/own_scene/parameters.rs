@@ -45,8 +45,8 @@ pub static PARAMETERS: LazyLock<Vec<(Target, Parameter)>> = LazyLock::new(|| {
     parameters
 });
 
-/// Returns a parameter for each number that belongs to an owner, with its target. If the owner is
-/// an object or a light, `k` is its index. The parameters' ids contain `owner_name`.
+/// Returns a parameter and its target for each number that belongs to `owner`. If the owner is an
+/// object or a light, `k` is the owner's index. The parameters' ids contain `owner_name`.
 fn parameters_of_owner(
     own: &OwnScene,
     owner: Owner,
@@ -74,7 +74,7 @@ fn parameters_of_owner(
 }
 
 /// Finds the parameters for three components of an object's position or colour. Returns None if the
-/// object has no parameter for one of them.
+/// object has no parameter for one of these components.
 pub fn component_ids(object: &str, components: [Component; 3]) -> Option<[ParameterId; 3]> {
     let find = |component| {
         let mut ids = PARAMETERS.iter().filter_map(|(target, parameter)| match target {

@@ -25,7 +25,7 @@ pub fn format_program(own: &OwnScene) -> String {
     program
 }
 
-/// The byte range in `program` of a function's body, without its braces.
+/// The byte range in `program` of a function's body, without the braces.
 ///
 /// # Panics
 ///

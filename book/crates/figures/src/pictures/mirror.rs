@@ -72,8 +72,8 @@ impl MirrorPicture {
         colour(&self.scene, ray, depth, self.offset)
     }
 
-    /// Returns the row of the table for `ray`: the object that it hits, t, k and I. Also returns
-    /// the reflected ray, or None if the path ends here.
+    /// Returns the table's row for `ray`: the object that the ray hits, t, k and I. Also returns
+    /// the reflected ray, or None if nothing reflects `ray`.
     fn trace_hit(&self, ray: &Ray, depth: u32) -> ([String; 4], Option<Ray>) {
         let objects = &self.scene.objects;
         let intensity = format_vector(self.colour(ray, depth));
@@ -89,7 +89,8 @@ impl MirrorPicture {
     }
 }
 
-/// The path of the probe's ray, one row per hit. Unused rows have empty readouts.
+/// The path of the probe's ray, with one row of readouts for each hit. The readouts of unused rows
+/// are empty.
 fn readouts(values: &ParameterValues) -> Readouts {
     let picture = MirrorPicture::new(values);
     let ray = probe_ray(values);

@@ -1,4 +1,5 @@
-//! The picture of step 1, with a camera that the reader can set, and two pictures with a probe.
+//! Three figures: the picture of step 1 with a camera that the reader can set, the same picture
+//! with a probe, and the checkered floor with a probe.
 
 use crate::probe::{I, J, SIZE, draw_picture, probe_ray, probed_picture};
 use crate::{
@@ -24,7 +25,7 @@ const ASPECT_RATIOS: [AspectRatio; 4] = [
 /// The names that the control shows for [`ASPECT_RATIOS`], in the same order.
 const ASPECT_RATIO_NAMES: &[&str] = &["4:3", "16:9", "2.35:1", "2.59:1"];
 
-/// The height of the floor in the example `checkerboard`.
+/// The y of the floor in the example `checkerboard`.
 const CHECKERBOARD_HEIGHT: f64 = -1.5;
 
 /// The picture of step 1. Its field of view, aspect ratio and number of columns can be set.
