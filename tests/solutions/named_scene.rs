@@ -5,7 +5,7 @@ use std::collections::HashSet;
 use support::primary_rays;
 
 #[test]
-fn spheres_of_a_named_scene_do_not_overlap_and_no_ray_is_tangent_to_one() {
+fn spheres_of_a_named_scene_do_not_overlap_and_no_ray_is_tangent_to_a_sphere() {
     for name in ["ada", "bob", ""] {
         let objects = generate_scene(name).objects;
         // Allow a small overlap: as in the course's scene, the numbers are rounded to two decimals,
@@ -28,7 +28,7 @@ fn spheres_of_a_named_scene_do_not_overlap_and_no_ray_is_tangent_to_one() {
 }
 
 #[test]
-fn names_have_scenes_of_their_own() {
+fn each_name_has_its_own_scene() {
     let scene_text = |name: &str| format!("{:?}", generate_scene(name));
     let names = (0..1000).map(|k| format!("student {k}"));
     let scenes: HashSet<_> = names.map(|name| scene_text(&name)).collect();

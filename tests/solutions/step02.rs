@@ -7,7 +7,7 @@ use step02_sphere::{Ray, Roots};
 use support::test_law;
 
 #[test]
-fn quadric_has_its_roots_in_order_where_a_is_not_above_0() {
+fn quadric_roots_are_in_order_if_coefficient_a_is_0_or_negative() {
     let x2_plus_y2 = DMat3::from_diagonal(DVec3::new(1.0, 1.0, 0.0));
     let cylinder = Quadric::around(DVec3::ZERO, x2_plus_y2, -1.0);
     let ray_along_axis = Ray { start: DVec3::ZERO, direction: DVec3::NEG_Z };

@@ -6,7 +6,7 @@ use step03_nearest::nearest;
 use support::primary_rays;
 
 #[test]
-fn tree_finds_the_hits_of_the_loop_with_few_intersections() {
+fn tree_finds_the_same_hits_as_the_loop_with_few_intersections() {
     let (mut sorted, intersections) = (sunflower(), Cell::new(0));
     let (tree, objects) = (Tree::new(&mut sorted), sunflower());
     let (mut ray_count, mut hit_count) = (0, 0);

@@ -26,7 +26,7 @@ fn angle_between_outermost_rays_is_the_field_of_view() {
 }
 
 #[test]
-fn middle_row_of_the_camera_is_the_row_in_2d() {
+fn rays_of_the_middle_row_are_those_of_the_row_in_2d() {
     for theta in FIELDS_OF_VIEW.map(f64::to_radians) {
         let (camera, row) = (Camera::new(9, 5, theta), Row::new(9, theta));
         for i in (0..9).map(f64::from) {
@@ -37,7 +37,7 @@ fn middle_row_of_the_camera_is_the_row_in_2d() {
 }
 
 #[test]
-fn plain_loops_draw_what_all_processors_draw() {
+fn loops_on_one_processor_draw_the_picture_of_all_processors() {
     for camera in [camera(), Camera::new(2, 1, 1.0), Camera::new(37, 53, 2.0)] {
         assert_eq!(directions::picture(&camera), step01_rays::picture(&camera, 1));
     }

@@ -146,7 +146,7 @@ fn test_locked_crate_in_renamed_folder(folder: &Path) -> Result<()> {
 }
 
 #[test]
-fn grade_job_gets_nothing_from_the_student_but_pictures() {
+fn grade_job_gets_only_pictures_from_the_student() {
     let grade = job_text("grade");
     for word in ["path: student", "cache@", "github.event", "by_hand"] {
         assert!(!grade.contains(word), "the job \"grade\" contains {word}");

@@ -68,7 +68,7 @@ impl Sources {
             insert_bytes_as_script(files, &format!("{name}-module"), &module);
         }
         files.extend(figure_file::svg_files_of_drawings(workspace)?);
-        let texts = course::mistake_texts().map(|texts| texts.join()).unwrap_or_default();
+        let texts = course::mistake_files().map(|texts| texts.join()).unwrap_or_default();
         insert_bytes_as_script(files, "mistakes", texts.as_bytes());
         Ok(Self { workspace: workspace.to_owned(), generated, values: Values::default() })
     }

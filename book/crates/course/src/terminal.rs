@@ -3,11 +3,11 @@
 /// Whether a terminal would act on `c` instead of showing it. This includes characters that change
 /// the direction of text.
 pub fn is_terminal_control(c: char) -> bool {
-    let changes_direction = matches!(
+    let separates_or_changes_direction = matches!(
         c,
         '\u{61c}' | '\u{200e}'..='\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}'
     );
-    c.is_control() || changes_direction
+    c.is_control() || separates_or_changes_direction
 }
 
 #[cfg(test)]

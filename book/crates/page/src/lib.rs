@@ -36,7 +36,7 @@ pub fn reply(request: &str, file: &[u8]) -> Reply {
 pub fn try_reply(request: &Request, file: &[u8]) -> Result<Reply, RequestError> {
     match request {
         Request::Mistakes => {
-            course::provide_mistake_texts(str::from_utf8(file).unwrap_or_default());
+            course::provide_mistake_files(str::from_utf8(file).unwrap_or_default());
             Ok(Reply::from_json_fields([]))
         }
         #[cfg(feature = "check")]

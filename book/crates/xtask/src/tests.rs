@@ -4,7 +4,7 @@ use crate::mistakes::{DrawnMistakes, redraw_key};
 use crate::mistakes_program::title_and_file;
 use crate::wasm_modules;
 use course::environment::is_ci;
-use course::{MistakePicture, Step, WASM_MODULES, mistake_texts, mistakes};
+use course::{MistakePicture, Step, WASM_MODULES, mistake_files, mistakes};
 use std::collections::HashSet;
 use std::fs;
 use std::io::{Write, stderr};
@@ -48,7 +48,7 @@ fn table_of_mistakes_is_up_to_date() {
         drawn_mistakes.mistakes_to_draw().map(|(_, mistake)| title_and_file(mistake)).collect();
     let note = "These mistakes haven't been drawn yet. Run `cargo xtask` to draw them:";
     assert!(new.is_empty(), "{note}\n{}", new.join("\n"));
-    let texts = mistake_texts().expect("this program includes the texts");
+    let texts = mistake_files().expect("this program includes the texts");
     assert!(
         drawn_mistakes.table_text() == texts.table,
         "table.txt is out of date. Run `cargo xtask` to write it."

@@ -21,7 +21,7 @@
 //! - `/`: the section to read again,
 //! - `"`: what the picture shows.
 
-use crate::{Step, mistake_texts};
+use crate::{Step, mistake_files};
 use std::sync::OnceLock;
 use thiserror::Error;
 
@@ -81,7 +81,7 @@ pub fn mistakes() -> &'static [Mistake] {
 /// Like [`mistakes`], but returns an error if a line in the lists can't be parsed.
 pub fn parse_mistake_lists() -> Result<&'static [Mistake], MistakeListError> {
     static MISTAKES: OnceLock<Result<Vec<Mistake>, MistakeListError>> = OnceLock::new();
-    let Some(texts) = mistake_texts() else { return Ok(&[]) };
+    let Some(texts) = mistake_files() else { return Ok(&[]) };
     let parsed = MISTAKES.get_or_init(|| {
         let lists = Step::ALL.into_iter().zip(texts.lists);
         let mistakes = lists.map(|(step, list)| parse_list(step, list));
@@ -304,7 +304,7 @@ one that the book shows
     }
 
     #[test]
-    fn line_that_cannot_be_parsed_is_named() {
+    fn error_names_the_line_that_cannot_be_parsed() {
         let error = |list| parse_list(Step::Rays, list).expect_err(list);
         assert_eq!(
             error("# A comment.\n\n@ ray.rs\n\na title\n- a\n+ b\n* c").to_string(),
@@ -330,7 +330,7 @@ one that the book shows
     }
 
     #[test]
-    fn block_is_a_mistake_of_the_file_above_it() {
+    fn block_is_a_mistake_in_the_file_named_above_it() {
         let [short, long] = parse_sample_list(Step::Nearest);
         assert_eq!(short.title, "a short one");
         assert_eq!(short.file, "steps/step03_nearest/src/camera.rs");
@@ -356,7 +356,7 @@ one that the book shows
     }
 
     #[test]
-    fn mistake_is_applied_if_its_text_is_there_once() {
+    fn mistake_is_applied_if_the_right_code_occurs_once() {
         let [mistake, _] = parse_sample_list(Step::Rays);
         assert_eq!(mistake.format_as_diff(), "- let a = 1;\n-     let b = 2;\n+ let a = 2;");
         let once = "fn f() {\n    let a = 1;\n    let b = 2;\n}";

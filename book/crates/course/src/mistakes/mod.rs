@@ -2,15 +2,15 @@
 //! that these mistakes produce. Both are kept as text files in the folder `mistakes` of this
 //! package.
 
+mod files;
 mod mistake;
 mod table;
-mod texts;
+pub use files::{MistakeFiles, mistake_files, provide_mistake_files};
 pub use mistake::{
     Mistake, MistakeListError, MistakePicture, ShownMistake, mistakes, parse_mistake_lists,
 };
 pub use table::{
     MistakeTable, RightPicture, SMALL_SIZE, TableError, TableRow, find_mistakes_with_hash,
-    hashes_of_right_pictures, make_small_picture, mistake_table, mistakes_with_rows,
+    hashes_of_right_pictures, make_small_picture, mistake_table, mistakes_and_their_rows,
     names_of_right_pictures, read_small_pictures, small_pictures_file_path,
 };
-pub use texts::{MistakeTexts, mistake_texts, provide_mistake_texts};

@@ -13,7 +13,7 @@
 //!   later steps draw with the mistake. If such a picture is right in spite of the mistake, or
 //!   can't be drawn, `-` takes the place of its hash.
 
-use crate::{Mistake, Step, mistake_texts, mistakes};
+use crate::{Mistake, Step, mistake_files, mistakes};
 use image::imageops::{crop_imm, thumbnail};
 use image::{ImageResult, RgbImage};
 use std::fmt::{self, Display, Formatter};
@@ -129,7 +129,7 @@ impl Display for MistakeTable<'_> {
 pub fn mistake_table() -> &'static MistakeTable<'static> {
     static EMPTY: MistakeTable = MistakeTable { right_pictures: vec![], rows: vec![] };
     static TABLE: OnceLock<MistakeTable> = OnceLock::new();
-    let Some(texts) = mistake_texts() else { return &EMPTY };
+    let Some(texts) = mistake_files() else { return &EMPTY };
     TABLE.get_or_init(|| match MistakeTable::parse(texts.table) {
         Ok(table) => table,
         Err(error) => panic!("table.txt, {error}"),
@@ -143,7 +143,7 @@ pub fn mistake_table() -> &'static MistakeTable<'static> {
 /// # Panics
 ///
 /// Panics if the number of mistakes differs from the number of rows.
-pub fn mistakes_with_rows() -> impl Iterator<Item = (&'static Mistake, &'static TableRow)> {
+pub fn mistakes_and_their_rows() -> impl Iterator<Item = (&'static Mistake, &'static TableRow)> {
     let (mistakes, rows) = (mistakes(), &mistake_table().rows);
     assert_eq!(
         mistakes.len(),
@@ -165,7 +165,7 @@ pub fn hashes_of_right_pictures() -> impl Iterator<Item = (&'static str, u64)> {
 /// The likeliest mistakes come first: those that the book shows come before all others. Within each
 /// of these two groups, those that change the least code come first.
 pub fn find_mistakes_with_hash(hash: u64) -> Vec<(&'static Mistake, &'static str)> {
-    let mut mistakes_and_names: Vec<_> = mistakes_with_rows()
+    let mut mistakes_and_names: Vec<_> = mistakes_and_their_rows()
         .flat_map(|(mistake, row)| {
             let steps_and_hashes = mistake.affected_steps().zip(&row.hashes);
             let matching = steps_and_hashes.filter(move |(_, drawn)| **drawn == Some(hash));
@@ -240,7 +240,7 @@ mod tests {
         let rows = [(10, vec![Some(1), None]), (255, vec![None])];
         assert_eq!(table.rows, rows.map(|(key, hashes)| TableRow { key, hashes }));
         assert_eq!(table.to_string(), TEXT);
-        let checked_in = mistake_texts().expect("a native program includes the texts").table;
+        let checked_in = mistake_files().expect("a native program includes the texts").table;
         assert!(
             mistake_table().to_string() == checked_in,
             "`cargo xtask` would write the lines of table.txt in a different order"
@@ -248,7 +248,7 @@ mod tests {
     }
 
     #[test]
-    fn line_that_cannot_be_read_is_named() {
+    fn error_names_the_line_that_cannot_be_read() {
         for line in [
             "",
             "= step01_rays",
@@ -269,14 +269,14 @@ mod tests {
 
     #[test]
     fn row_has_a_hash_for_each_step_that_its_mistake_affects() {
-        for (mistake, row) in mistakes_with_rows() {
+        for (mistake, row) in mistakes_and_their_rows() {
             assert_eq!(row.hashes.len(), mistake.affected_steps().count(), "{}", mistake.title);
         }
     }
 
     #[test]
     fn mistakes_are_found_by_their_hashes_and_those_in_the_book_come_first() {
-        for (mistake, row) in mistakes_with_rows() {
+        for (mistake, row) in mistakes_and_their_rows() {
             for (step, hash) in mistake.affected_steps().zip(&row.hashes) {
                 let Some(hash) = hash else { continue };
                 let found = find_mistakes_with_hash(*hash);

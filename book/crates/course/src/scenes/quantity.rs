@@ -124,13 +124,13 @@ enum Property {
 }
 
 impl Scalar {
-    /// The smallest and the largest value that a page offers for the owner with index `k`.
-    pub fn range(&self, k: usize) -> [f64; 2] {
-        self.ground_range.filter(|_| k == GROUND).unwrap_or(self.range)
+    /// The smallest and the largest value that a page offers for the owner with index `owner_index`.
+    pub fn range_for_owner(&self, owner_index: usize) -> [f64; 2] {
+        self.ground_range.filter(|_| owner_index == GROUND).unwrap_or(self.range)
     }
 
-    /// Reads the number from the owner with index `k`.
-    pub fn get(&self, own: &OwnScene, k: usize) -> f64 {
+    /// Reads the number from the owner with index `owner_index`.
+    pub fn get(&self, own: &OwnScene, owner_index: usize) -> f64 {
         let (scene, axis) = (&own.scene, self.axis);
         match self.property {
             Property::FieldOfView => own.fov_degrees,
@@ -138,24 +138,24 @@ impl Scalar {
             Property::Target => own.target[axis],
             Property::Roll => own.roll_degrees,
             Property::AmbientLight => scene.ambient_light[axis],
-            Property::Centre => scene.objects[k].sphere.centre[axis],
-            Property::Radius => scene.objects[k].sphere.radius,
-            Property::ObjectSpecular => scene.objects[k].material.specular.x,
-            Property::Shininess => scene.objects[k].material.shininess.into(),
-            Property::ObjectColour => scene.objects[k].material.matte.diffuse[axis],
-            Property::MirrorPart => own.mirror_parts[k],
-            Property::LightPosition => scene.lights[k].point_light.position[axis],
-            Property::LightDiffuse => scene.lights[k].point_light.diffuse[axis],
-            Property::LightSpecular => scene.lights[k].specular[axis],
+            Property::Centre => scene.objects[owner_index].sphere.centre[axis],
+            Property::Radius => scene.objects[owner_index].sphere.radius,
+            Property::ObjectSpecular => scene.objects[owner_index].material.specular.x,
+            Property::Shininess => scene.objects[owner_index].material.shininess.into(),
+            Property::ObjectColour => scene.objects[owner_index].material.matte.diffuse[axis],
+            Property::MirrorPart => own.mirror_parts[owner_index],
+            Property::LightPosition => scene.lights[owner_index].point_light.position[axis],
+            Property::LightDiffuse => scene.lights[owner_index].point_light.diffuse[axis],
+            Property::LightSpecular => scene.lights[owner_index].specular[axis],
             Property::Attenuation => {
-                let attenuation = scene.lights[k].point_light.attenuation;
+                let attenuation = scene.lights[owner_index].point_light.attenuation;
                 [attenuation.a, attenuation.b, attenuation.c][axis]
             }
         }
     }
 
-    /// Sets the number in the owner with index `k`.
-    pub fn set(&self, own: &mut OwnScene, k: usize, value: f64) {
+    /// Sets the number in the owner with index `owner_index`.
+    pub fn set(&self, own: &mut OwnScene, owner_index: usize, value: f64) {
         let (scene, axis) = (&mut own.scene, self.axis);
         match self.property {
             Property::FieldOfView => own.fov_degrees = value,
@@ -163,22 +163,24 @@ impl Scalar {
             Property::Target => own.target[axis] = value,
             Property::Roll => own.roll_degrees = value,
             Property::AmbientLight => scene.ambient_light[axis] = value,
-            Property::Centre => scene.objects[k].sphere.centre[axis] = value,
-            Property::Radius => scene.objects[k].sphere.radius = value,
-            Property::ObjectSpecular => scene.objects[k].material.specular = DVec3::splat(value),
-            Property::Shininess => scene.objects[k].material.shininess = value as i32,
+            Property::Centre => scene.objects[owner_index].sphere.centre[axis] = value,
+            Property::Radius => scene.objects[owner_index].sphere.radius = value,
+            Property::ObjectSpecular => {
+                scene.objects[owner_index].material.specular = DVec3::splat(value)
+            }
+            Property::Shininess => scene.objects[owner_index].material.shininess = value as i32,
             Property::ObjectColour => {
-                let matte = &mut scene.objects[k].material.matte;
+                let matte = &mut scene.objects[owner_index].material.matte;
                 let mut colour = matte.diffuse;
                 colour[axis] = value;
                 *matte = Matte::of(colour);
             }
-            Property::MirrorPart => own.mirror_parts[k] = value,
-            Property::LightPosition => scene.lights[k].point_light.position[axis] = value,
-            Property::LightDiffuse => scene.lights[k].point_light.diffuse[axis] = value,
-            Property::LightSpecular => scene.lights[k].specular[axis] = value,
+            Property::MirrorPart => own.mirror_parts[owner_index] = value,
+            Property::LightPosition => scene.lights[owner_index].point_light.position[axis] = value,
+            Property::LightDiffuse => scene.lights[owner_index].point_light.diffuse[axis] = value,
+            Property::LightSpecular => scene.lights[owner_index].specular[axis] = value,
             Property::Attenuation => {
-                let attenuation = &mut scene.lights[k].point_light.attenuation;
+                let attenuation = &mut scene.lights[owner_index].point_light.attenuation;
                 let abc = [&mut attenuation.a, &mut attenuation.b, &mut attenuation.c];
                 *abc[axis] = value;
             }
@@ -236,7 +238,7 @@ pub static QUANTITIES: &[Quantity] = &[
         name: "the position",
         owner: Owner::Object,
         typed: Some(TypedRange { first_step: Step::Sphere, range: [-50, 50], steps_per_unit: 100 }),
-        scalars: &with_ground_ranges(
+        scalars: &with_ranges_for_ground(
             position(Property::Centre, [[-6.0, 6.0], [-3.0, 5.0], [-16.0, 6.0]]),
             [[-20.0, 20.0], [-60.0, 0.0], [-30.0, 10.0]],
         ),
@@ -245,7 +247,7 @@ pub static QUANTITIES: &[Quantity] = &[
         name: "the radius",
         owner: Owner::Object,
         typed: Some(TypedRange { first_step: Step::Sphere, range: [0, 60], steps_per_unit: 100 }),
-        scalars: &with_ground_ranges(
+        scalars: &with_ranges_for_ground(
             [scalar(Property::Radius, "r", "radius", [0.05, 3.0], 100.0)],
             [[10.0, 60.0]],
         ),
@@ -395,7 +397,7 @@ const fn with_axes([x, y, z]: [Scalar; 3]) -> [Scalar; 3] {
 }
 
 /// Sets the numbers' ranges for the ground.
-const fn with_ground_ranges<const N: usize>(
+const fn with_ranges_for_ground<const N: usize>(
     mut scalars: [Scalar; N],
     ranges: [[f64; 2]; N],
 ) -> [Scalar; N] {
@@ -438,10 +440,13 @@ mod tests {
         assert_eq!(scene().objects[GROUND].name, "ground");
         let is_radius = |scalar: &&Scalar| matches!(scalar.property, Property::Radius);
         let radius = all_scalars().find(is_radius).expect("the table has a radius");
-        assert_eq!([radius.range(0), radius.range(GROUND)], [[0.05, 3.0], [10.0, 60.0]]);
+        assert_eq!(
+            [radius.range_for_owner(0), radius.range_for_owner(GROUND)],
+            [[0.05, 3.0], [10.0, 60.0]]
+        );
         // A light whose index happens to be the ground's has the same range as every other light.
         for scalar in all_scalars().filter(|scalar| scalar.ground_range.is_none()) {
-            assert_eq!(scalar.range(GROUND), scalar.range);
+            assert_eq!(scalar.range_for_owner(GROUND), scalar.range);
         }
     }
 

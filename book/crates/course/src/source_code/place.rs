@@ -100,7 +100,7 @@ impl PlaceNote {
         [Self::MethodFollows, Self::AfterAnd, Self::OnlyMovesHit, Self::EndsLine, Self::EndsBlock];
 
     /// The text of the note in places.txt.
-    fn text(self) -> &'static str {
+    fn text_in_list(self) -> &'static str {
         match self {
             Self::MethodFollows => "a method is called on the value",
             Self::AfterAnd => "the right operand of &&",
@@ -137,10 +137,10 @@ fn parse_places(text: &'static str) -> Result<Vec<Place>, PlaceListError> {
             file = Some(path);
         } else if line.starts_with(' ') {
             let place = places.last_mut().ok_or(fail(PlaceListFault::NoPlace))?;
-            place.add_line(line.trim_start()).map_err(fail)?;
+            place.add_variables_or_note(line.trim_start()).map_err(fail)?;
         } else {
             let file = file.ok_or(fail(PlaceListFault::NoFile))?;
-            places.push(parse_place(places.len(), file, line).map_err(fail)?);
+            places.push(parse_first_line_of_place(places.len(), file, line).map_err(fail)?);
         }
     }
     Ok(places)
@@ -148,7 +148,7 @@ fn parse_places(text: &'static str) -> Result<Vec<Place>, PlaceListError> {
 
 /// Parses the first line of a place, such as `a: f64 = v.dot(v)`. `file` is the text after the
 /// nearest `@` above.
-fn parse_place(
+fn parse_first_line_of_place(
     index: usize,
     file: &'static str,
     line: &'static str,
@@ -192,9 +192,9 @@ impl Place {
     }
 
     /// Adds the variables or the note from an indented line below the place.
-    fn add_line(&mut self, line: &'static str) -> Result<(), PlaceListFault> {
+    fn add_variables_or_note(&mut self, line: &'static str) -> Result<(), PlaceListFault> {
         if let Some(words) = line.strip_prefix("note: ") {
-            let note = PlaceNote::ALL.into_iter().find(|note| note.text() == words);
+            let note = PlaceNote::ALL.into_iter().find(|note| note.text_in_list() == words);
             self.notes.push(note.ok_or(PlaceListFault::UnknownNote(words))?);
         } else {
             let (type_name, names) = line.split_once(' ').ok_or(PlaceListFault::NoNames)?;
@@ -299,7 +299,7 @@ misses: bool = d < 0.0
     }
 
     #[test]
-    fn listed_places_agree_with_the_source_files() {
+    fn places_occur_once_and_their_end_notes_and_imports_are_right() {
         for place in all_listed_places() {
             let path = crate::workspace().join("steps").join(place.file);
             let text = std::fs::read_to_string(path).expect("the file can be read");

@@ -28,7 +28,7 @@ mod tests {
     use std::env;
 
     #[test]
-    fn file_is_replaced_and_an_error_leaves_nothing_behind() {
+    fn file_is_replaced_and_an_error_leaves_no_draft_behind() {
         let folder = env::temp_dir().join(format!("replace_file-{}", process::id()));
         let _ = fs::remove_dir_all(&folder);
         let inner = folder.join("inner");

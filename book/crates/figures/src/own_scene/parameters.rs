@@ -56,7 +56,7 @@ fn parameters_of_owner(
     let quantities = QUANTITIES.iter().filter(move |quantity| quantity.owner == owner);
     quantities.flat_map(|quantity| quantity.scalars).map(move |scalar| {
         let id = ParameterId::of(owner_name, scalar.label);
-        let (range, default) = (scalar.range(k), scalar.get(own, k));
+        let (range, default) = (scalar.range_for_owner(k), scalar.get(own, k));
         let parameter = Parameter::number(id, scalar.label, default, range, scalar.steps_per_unit)
             .with_symbol(scalar.symbol)
             .with_unit(scalar.unit);

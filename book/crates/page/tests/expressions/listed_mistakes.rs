@@ -4,7 +4,7 @@
 use course::environment::is_thorough;
 use course::{
     Mistake, Place, TableRow, all_listed_places, hash_picture, hashes_of_right_pictures,
-    mistakes_with_rows, workspace,
+    mistakes_and_their_rows, workspace,
 };
 use page::expressions::{compile_line, draw_step_of_first_line};
 use std::{fs, iter::once};
@@ -59,6 +59,6 @@ fn right_and_mistaken_codes_with_hashes(place: &Place) -> Vec<(String, u64)> {
         let new = edited.strip_prefix(code_before)?.strip_suffix(code_after)?;
         Some((new.to_owned(), row.hashes.first()?.unwrap_or(right)))
     };
-    let edits = mistakes_with_rows().filter_map(edit);
+    let edits = mistakes_and_their_rows().filter_map(edit);
     once((place.code.to_owned(), right)).chain(edits).collect()
 }

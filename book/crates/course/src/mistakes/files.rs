@@ -11,7 +11,7 @@ const SEPARATOR: char = '\0';
 
 const STEP_COUNT: usize = Step::ALL.len();
 
-const INCLUDED: MistakeTexts = MistakeTexts {
+const INCLUDED: MistakeFiles = MistakeFiles {
     lists: [
         include_str!("../../mistakes/step01_rays.txt"),
         include_str!("../../mistakes/step02_sphere.txt"),
@@ -22,18 +22,18 @@ const INCLUDED: MistakeTexts = MistakeTexts {
     table: include_str!("../../mistakes/table.txt"),
 };
 
-static PROVIDED: OnceLock<MistakeTexts> = OnceLock::new();
+static PROVIDED: OnceLock<MistakeFiles> = OnceLock::new();
 
 /// The list of mistakes and its table, as text.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct MistakeTexts {
+pub struct MistakeFiles {
     /// The list for each step.
     pub lists: [&'static str; STEP_COUNT],
     /// The table with the hashes of the pictures that the mistakes produce.
     pub table: &'static str,
 }
 
-impl MistakeTexts {
+impl MistakeFiles {
     /// Joins all texts into one that a page can load.
     pub fn join(&self) -> String {
         let texts: Vec<_> = self.lists.into_iter().chain([self.table]).collect();
@@ -50,13 +50,13 @@ impl MistakeTexts {
 }
 
 /// Returns the texts. In a page's module, returns None until the page has provided them.
-pub fn mistake_texts() -> Option<&'static MistakeTexts> {
+pub fn mistake_files() -> Option<&'static MistakeFiles> {
     if cfg!(target_arch = "wasm32") { PROVIDED.get() } else { Some(&INCLUDED) }
 }
 
 /// Provides a page's module with the joined texts. Only the first call has an effect.
-pub fn provide_mistake_texts(joined: &str) {
-    PROVIDED.get_or_init(|| MistakeTexts::split(String::from(joined).leak()));
+pub fn provide_mistake_files(joined: &str) {
+    PROVIDED.get_or_init(|| MistakeFiles::split(String::from(joined).leak()));
 }
 
 #[cfg(test)]
@@ -65,8 +65,8 @@ mod tests {
 
     #[test]
     fn joined_texts_are_split_again() {
-        assert_eq!(MistakeTexts::split(INCLUDED.join().leak()), INCLUDED);
-        let first = MistakeTexts::split("a\0b");
-        assert_eq!(first, MistakeTexts { lists: ["a", "b", "", "", ""], table: "" });
+        assert_eq!(MistakeFiles::split(INCLUDED.join().leak()), INCLUDED);
+        let first = MistakeFiles::split("a\0b");
+        assert_eq!(first, MistakeFiles { lists: ["a", "b", "", "", ""], table: "" });
     }
 }
