@@ -15,8 +15,8 @@ export const pages = readdirSync(folder).filter(name => /\.html$/.test(name) && 
 // All pages except those that only repeat other pages: the first page, and the page for printing.
 export const chapters = pages.filter(name => !/^(index|print)\./.test(name));
 
-// Finds a pattern in all chapters. For each match, returns the page, the value of the attribute,
-// and the match's index on that page.
+// Finds a pattern in all chapters. For each match, returns the page, the text of the pattern's
+// group, and the match's index on the page.
 const named = pattern => chapters.flatMap(page => [...read(page).matchAll(pattern)].map(([, name], k) => [page, name, k]));
 export const figures = named(/<figure[^>]* data-live="([^"]+)"/g);
 export const forms = named(/<form[^>]* data-check="([^"]+)"/g);

@@ -2,10 +2,10 @@
 import { forms, picture } from './book.js';
 import { expect, open, test } from './fixtures.js';
 
-// It's enough to test the first form on each page, since the others differ only in the picture's
-// name.
+// It's enough to test the first form on each page, since the other forms differ only in the name of
+// their picture.
 for (const [name, asked] of forms.filter(([, , k]) => k === 0)) {
-  test(`${name}: the form looks at pictures`, async ({ page, home }) => {
+  test(`${name}: the form tells the right picture from a wrong picture and from a text file`, async ({ page, home }) => {
     await open(page, home + name);
     const form = page.locator('form[data-check]').first();
     await form.and(page.locator(':not([hidden])')).waitFor({ state: 'attached' });
@@ -23,7 +23,7 @@ for (const [name, asked] of forms.filter(([, , k]) => k === 0)) {
       await expect(tick).toHaveCount(right.startsWith('step') ? 1 : 0);
     }
     // A click has to empty the field. Otherwise, if the reader chose the same file again, the
-    // browser wouldn't report it.
+    // browser wouldn't report the choice.
     await input.dispatchEvent('click');
     await expect(input).toHaveValue('');
     // A file that is dropped beside the forms goes to the nearest form, which is the first form
@@ -43,7 +43,7 @@ test('what is plain to see comes first, with a link to the section to read again
   await open(page, `${home}step02_sphere.html`);
   const form = page.locator('form[data-check]').first();
   await form.and(page.locator(':not([hidden])')).waitFor({ state: 'attached' });
-  // Draws the right picture upside down, and drops it.
+  // Draws the right picture upside down, and drops the result on the form.
   await form.evaluate(async one => {
     const image = Object.assign(new Image(), { src: 'generated/step02_sphere.png' });
     await image.decode();

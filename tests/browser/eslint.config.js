@@ -10,7 +10,7 @@ export default defineConfig([
     files: ['book/theme/*.js'],
     languageOptions: { sourceType: 'script', globals: { ...globals.browser, book: 'readonly', MiniSearch: 'readonly' } },
   },
-  // This script defines `book`, which the others share.
+  // This script defines `book`, which the other scripts share.
   { files: ['book/theme/book.js'], languageOptions: { globals: { book: 'off' } } },
   {
     files: ['tests/browser/*.js'],

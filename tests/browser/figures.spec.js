@@ -2,7 +2,7 @@
 import { figures } from './book.js';
 import { expect, makeReady, open, readPixels, test } from './fixtures.js';
 
-test('a handle goes to its ends, and says nothing there', async ({ page, home }) => {
+test('Home and End move a handle as far as it goes, without an error message', async ({ page, home }) => {
   await open(page, `${home}step01_rays.html`);
   const figure = page.locator('#figure-ray');
   await makeReady(figure);
@@ -11,8 +11,8 @@ test('a handle goes to its ends, and says nothing there', async ({ page, home })
   const position = () => handle.evaluate(one => Number(one.getAttribute('aria-valuenow')));
   await expect(figure.locator('[data-parameter=the-start-S-x] [type=text]')).not.toHaveAttribute('inputmode');
   const [first, refused] = [await position(), figure.locator('.refused')];
-  // End moves S as far as possible, but not to the maximum of 7: before that, the ray's tip reaches
-  // the figure's border.
+  // End moves S as far as possible, but not to the maximum of 7, because the ray's tip reaches the
+  // figure's border first.
   for (const [key, is] of [['Home', x => x === -2], ['End', x => first < x && x < 7]]) {
     await page.keyboard.press(key);
     expect(is(await position()), `${key} goes to ${await position()}`).toBe(true);
@@ -26,7 +26,8 @@ test('a typed number that a figure cannot use is explained', async ({ page, home
   const figure = page.locator('#figure-attenuation');
   await makeReady(figure);
   const field = figure.getByRole('textbox', { name: 'c of your curve' });
-  // A phone's keypad for decimal numbers has no minus, so only a number without sign asks for it.
+  // A phone's keypad for decimal numbers has no minus, so a field asks for this keypad only if its
+  // number can't be negative.
   await expect(field).toHaveAttribute('inputmode', 'decimal');
   for (const [text, words] of [['-5', 'The figure shows 0 instead.'], ['0.1', '']]) {
     await field.fill(text);
@@ -41,7 +42,7 @@ test('a typed number that a figure cannot use is explained', async ({ page, home
   await expect(slider).toHaveValue(value);
 });
 
-test('labels of drawings do not overlap at any limit, and no handle covers one', async ({ page, home }) => {
+test('labels of drawings do not overlap at the limit of any control, and no handle covers a label', async ({ page, home }) => {
   // On a phone, labels take up more of a drawing, because they shrink less than the drawing does.
   await page.setViewportSize({ width: 390, height: 844 });
   for (const name of new Set(figures.map(([name]) => name))) {
@@ -66,7 +67,8 @@ test('labels of drawings do not overlap at any limit, and no handle covers one',
         const cut = labels.filter(one => one.left < box.left || one.top < box.top || one.right > box.right || one.bottom > box.bottom);
         const boxes = selector => [...svg.parentElement.querySelectorAll(selector)].map(one => one.getBoundingClientRect());
         const [handles, cues] = [boxes('.handle:not([hidden])'), boxes('.cue')];
-        // A handle is round: it covers what is closer to its centre than its radius.
+        // A handle is a disc. It covers a label if the label's nearest point is closer to the
+        // disc's centre than the radius.
         const isBelow = ({ left, right, top, bottom }, { x, y, width }) => {
           const [centreX, centreY] = [x + width / 2, y + width / 2];
           const [nearX, nearY] = [Math.max(left, Math.min(centreX, right)), Math.max(top, Math.min(centreY, bottom))];
@@ -105,7 +107,7 @@ test('labels of drawings do not overlap at any limit, and no handle covers one',
 });
 
 for (const [name, figure, k] of figures) {
-  test(`${name}: the figure ${figure}, number ${k + 1} there, is interactive`, { tag: k ? '@thorough' : [] }, async ({ page, home }) => {
+  test(`${name}: the figure ${figure}, figure ${k + 1} of the page, is interactive`, { tag: k ? '@thorough' : [] }, async ({ page, home }) => {
     await open(page, home + name);
     // On "A scene of your own", Reset asks for confirmation.
     page.on('dialog', dialog => dialog.accept());

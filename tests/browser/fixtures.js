@@ -2,7 +2,7 @@
 //
 // - `home` is the address of the book.
 // - `page` is a page of a browser. The test fails if the page asks for anything outside the book,
-//   if the browser reports an error, or if the policy forbids something.
+//   if the browser reports an error, or if the Content-Security-Policy forbids something.
 import { test as base, expect } from '@playwright/test';
 import { pathToFileURL } from 'node:url';
 import { folder } from './book.js';

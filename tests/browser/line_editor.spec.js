@@ -18,7 +18,7 @@ async function prepare(page, home, hash = '') {
   return { line, listing, status: listing.getByRole('status') };
 }
 
-test('an edit is drawn, a mistake is marked, Escape closes the panel, and undo brings all of it back', async ({ page, home, source }) => {
+test('an edit is drawn, a mistake is marked, Escape closes the panel, and Undo restores each earlier text', async ({ page, home, source }) => {
   const { line, listing, status } = await prepare(page, home);
   await line.focus();
   await page.keyboard.press('Enter');
@@ -63,7 +63,7 @@ test('an edit is drawn, a mistake is marked, Escape closes the panel, and undo b
   await expect(page.locator('html')).toHaveCSS('scroll-padding-bottom', 'auto');
 });
 
-test('lines of an address, and lines that are let go, stay in the picture, the address and the history', async ({ page, home }) => {
+test('edited lines from an address, and edited lines that lose the focus, stay in the picture, the address and the history', async ({ page, home }) => {
   const copied = [];
   await page.exposeFunction('keep', text => { copied.push(text); });
   await page.addInitScript(() => Object.defineProperty(navigator, 'clipboard', { value: { writeText: text => window.keep(text) } }));
@@ -72,7 +72,7 @@ test('lines of an address, and lines that are let go, stay in the picture, the a
   const status = page.getByRole('status').filter({ visible: true }).last();
   await expect(status).toHaveText('In another line of yours: The bracket that closes this one is missing.');
   await expect(line).toBeInViewport();
-  // The code around the lines is coloured.
+  // The code around the edited lines is coloured.
   const code = page.locator('code', { has: line });
   expect(await code.locator('span[class^=hljs]').count()).toBeGreaterThan(10);
   await other.click();
@@ -95,7 +95,7 @@ test('lines of an address, and lines that are let go, stay in the picture, the a
 });
 
 for (const [width, height] of [[1440, 900], [1280, 720], [1000, 720], [390, 844]]) {
-  test(`the panel has one height, and leaves the line in its place, at ${width}×${height}`, async ({ page, home }) => {
+  test(`the panel has one height, and does not move the line, at ${width}×${height}`, async ({ page, home }) => {
     await page.setViewportSize({ width, height });
     const { line, listing, status } = await prepare(page, home);
     await line.evaluate(one => one.scrollIntoView({ block: 'center' }));
@@ -126,7 +126,7 @@ for (const [width, height] of [[1440, 900], [1280, 720], [1000, 720], [390, 844]
   });
 }
 
-test('a line stays in its place when the panel comes from a listing above', async ({ page, home }) => {
+test('a line that is clicked stays where it is when the panel moves there from a listing above', async ({ page, home }) => {
   const { line } = await prepare(page, home);
   const other = page.locator('[data-line=attenuation]');
   await line.click();
@@ -140,7 +140,7 @@ test('a line stays in its place when the panel comes from a listing above', asyn
   expect(Math.abs(await place() - before)).toBeLessThan(2);
 });
 
-test('the first line says that it can be edited, until a line is taken, and each has its name', async ({ page, home }) => {
+test('the first editable line says that it can be edited, until the reader clicks a line, and each line has a name', async ({ page, home }) => {
   const { line } = await prepare(page, home);
   const mark = () => page.locator('[data-line]').first().evaluate(one => getComputedStyle(one, '::after').content);
   expect(await mark()).toContain('edit');
@@ -166,7 +166,7 @@ for (const [width, height] of [[390, 508], [640, 400]]) {
   });
 }
 
-test('when a keyboard takes half of a phone, the line stays above the panel', async ({ page, home }) => {
+test('when the on-screen keyboard covers half of a phone, the edited line stays above the panel', async ({ page, home }) => {
   await page.setViewportSize({ width: 390, height: 844 });
   const { line, listing, status } = await prepare(page, home);
   await line.evaluate(one => one.scrollIntoView({ block: 'center' }));
@@ -180,7 +180,7 @@ test('when a keyboard takes half of a phone, the line stays above the panel', as
   }).toPass({ timeout: 5000 });
 });
 
-test('a link with a control character, or with more edits than places, changes nothing', async ({ page, home }) => {
+test('a link with a control character, or with more edits than there are editable lines, changes nothing', async ({ page, home }) => {
   const hashes = {
     'control character': '#line=normal:p%20%1Fattenuation%201.0',
     'edits, and this page': `#${Array(1000).fill('line=normal:p').join('&')}`,
@@ -194,7 +194,7 @@ test('a link with a control character, or with more edits than places, changes n
   }
 });
 
-test('the spaces at the start of the rows of a line are not underlined, not even after an edit', async ({ page, home }) => {
+test('if an edited expression has several rows, their indentation is not underlined, even after an edit', async ({ page, home }) => {
   await open(page, `${home}step05_phong.html`);
   const line = page.locator('[data-line=specular]');
   const indents = line.locator('.indent');

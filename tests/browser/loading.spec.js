@@ -13,9 +13,9 @@ async function findFigure(page, address) {
   return figure;
 }
 
-test('a module and a search that fail to load are loaded again', async ({ browser, home }) => {
-  // Don't use the fixture's page, which fails the test if the browser reports an error: here, the
-  // browser will report that the first attempt to load a file fails.
+test('a module and a search index that fail to load are loaded again', async ({ browser, home }) => {
+  // Don't use the fixture's page. It fails the test if the browser reports an error, and here the
+  // browser reports that the first attempt to load a file fails.
   const page = await browser.newPage();
   for (const file of ['live-module', 'search-index']) await page.route(`**/${file}.js`, route => route.abort(), { times: 1 });
   const figure = await findFigure(page, home + name);
@@ -47,13 +47,13 @@ for (const width of [390, 1440]) {
       window.shift = 0;
       new PerformanceObserver(list => list.getEntries().forEach(({ value }) => { window.shift += value; })).observe({ type: 'layout-shift', buffered: true });
     });
-    // The fonts that are held back, or null if none is any longer.
+    // The requests for fonts that are held back. Null once fonts load normally.
     let held = [];
     await page.route('**/*.woff2', route => held ? void held.push(route) : route.continue());
     const names = process.env.THOROUGH ? chapters : ['how.html', 'problems.html', 'step02_practice.html', 'way_back_practice.html'];
     for (const name of names) {
       held = [];
-      // Until the fonts have arrived, the page isn't loaded.
+      // Don't wait for the page's load event, which comes only after the fonts.
       await page.goto(home + name, { waitUntil: 'domcontentloaded' });
       await page.locator('script[src$="search.js"]').waitFor({ state: 'attached' });
       const hasFallbacks = await page.evaluate(() => new FontFace('Fallback', 'local("DejaVu Math TeX Gyre"), local("DejaVuMathTeXGyre-Regular")').load().then(() => true, () => false));
@@ -70,14 +70,14 @@ for (const width of [390, 1440]) {
   });
 }
 
-test('an address without .html marks its page', async ({ page, home }) => {
+test('an address without .html marks its page in the contents', async ({ page, home }) => {
   const address = home + name.replace('.html', '');
   await page.route(address, async route => route.fulfill({ response: await route.fetch({ url: home + name }) }));
   await open(page, address);
   await expect(page.locator('#contents a[aria-current=page]')).toHaveAttribute('href', name);
 });
 
-test('paper is light, and forced colours keep the cross', async ({ page, home }) => {
+test('a printed page is light, and forced colours do not hide the cross on a picture', async ({ page, home }) => {
   await page.addInitScript(() => localStorage.setItem('theme', 'dark'));
   await page.emulateMedia({ media: 'print' });
   await open(page, `${home}step03_nearest.html`);
@@ -88,7 +88,7 @@ test('paper is light, and forced colours keep the cross', async ({ page, home })
   await expect(page.locator('.handle-probe').first()).toHaveCSS('background-image', /gradient/, { timeout: 20_000 });
 });
 
-test('a prompt is not copied', async ({ page, home }) => {
+test('a copied selection of a command does not contain the prompt', async ({ page, home }) => {
   await open(page, home + name);
   const copied = await page.locator('.console code').first().evaluate(code => {
     getSelection().selectAllChildren(code);

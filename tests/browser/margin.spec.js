@@ -5,7 +5,7 @@ import { expect, open, test } from './fixtures.js';
 
 const SIDE_BY_SIDE = [1100, 1440, 1920];
 
-// Opens a page, and lays out all of it.
+// Opens a page, and makes the browser lay out all parts of the page.
 async function openWhole(page, address) {
   await open(page, address);
   await page.locator('main > *').evaluateAll(parts => parts.forEach(part => { part.style.contentVisibility = 'visible'; }));
@@ -28,7 +28,7 @@ const measure = () => {
       block: box(frame.firstElementChild),
       notes: [...frame.querySelectorAll(':scope > .note, :scope > .by-hand')].map(note => ({ ...box(note), cut: note.clientWidth && note.scrollWidth - note.clientWidth })),
     })),
-    // Listings that scroll although none of their lines is longer than 84 columns.
+    // Listings that scroll sideways although none of their lines is longer than 84 columns.
     narrow: [...main.querySelectorAll('.listing > pre')]
       .filter(pre => pre.scrollWidth > pre.clientWidth && pre.textContent.split('\n').every(line => line.length <= 84))
       .map(pre => pre.parentElement.dataset.path),
@@ -56,7 +56,7 @@ function findFaults({ page, edge, blocks, frames, narrow, height }) {
 
 for (const width of SIDE_BY_SIDE) {
   // Without THOROUGH=1, it's enough to test one of the widths.
-  test(`notes stand beside their blocks at ${width} pixels, and none covers another${width === 1440 ? '' : ' @thorough'}`, async ({ page, home }) => {
+  test(`notes stand beside their blocks at ${width} pixels, and no note covers another note${width === 1440 ? '' : ' @thorough'}`, async ({ page, home }) => {
     test.setTimeout(180_000);
     await page.setViewportSize({ width, height: 900 });
     let count = 0;
@@ -81,8 +81,8 @@ test('notes that are too long for their blocks push each other down, and do not 
   const layout = await page.evaluate(measure);
   expect(findFaults(layout)).toEqual([]);
   expect(layout.frames.some(({ block, notes }) => notes.some(({ top }) => top > block.bottom)), 'a note is pushed down').toBe(true);
-  // Compare the gaps between blocks, not their positions, since a figure grows when it becomes
-  // ready.
+  // Compare the gaps between the blocks, not the blocks' positions, since a figure grows when it
+  // becomes ready.
   const gaps = blocks => blocks.slice(1).map(({ top }, k) => Math.round(top - blocks[k].bottom));
   expect(gaps(layout.blocks)).toEqual(gaps(blocks));
 });
@@ -106,10 +106,10 @@ for (const [width, media] of [[390, 'screen'], [1000, 'screen'], [1440, 'print']
   });
 }
 
-test('a tool that is open takes the margin, and the notes beside it follow their blocks', async ({ page, home }) => {
+test('an open tool takes up the margin, and the notes that were beside the tool follow their blocks', async ({ page, home }) => {
   await page.setViewportSize({ width: 1440, height: 900 });
   await openWhole(page, `${home}step02_sphere.html`);
-  const index = 2; // There are notes above this block and below it.
+  const index = 2; // There are notes above this block and notes below this block.
   await page.evaluate(index => {
     const tool = Object.assign(document.createElement('div'), { className: 'tool', textContent: 'A tool' });
     document.querySelectorAll('main > .with-margin')[index].firstElementChild.after(tool);

@@ -1,7 +1,7 @@
 // A reader makes a scene, undoes changes, shares the scene, and downloads its picture.
 import { expect, open, test } from './fixtures.js';
 
-test('a ball is dragged, coloured, undone and kept, and a sphere comes in', async ({ page, home }) => {
+test('a reader drags and colours a ball, undoes and redoes changes, adds a sphere, and downloads the picture', async ({ page, home }) => {
   await open(page, `${home}own_scene.html`);
   await page.locator('figure[data-live=own_scene][data-ready]').waitFor({ timeout: 20_000 });
   // Firefox doesn't report a download to its driver, so record the file's name instead.
@@ -9,7 +9,7 @@ test('a ball is dragged, coloured, undone and kept, and a sphere comes in', asyn
   const press = name => page.getByRole('button', { name }).click();
   const { x, y, width } = await page.locator('.stage').boundingBox();
   const move = (i, j) => page.mouse.move(x + i / 640 * width, y + j / 640 * width, { steps: 3 });
-  await move(250, 240); // A point on the red ball, outside its handle.
+  await move(250, 240); // A point on the red ball, outside the ball's handle.
   await page.mouse.down();
   await move(250, 220);
   await page.waitForTimeout(400);
@@ -29,7 +29,7 @@ test('a ball is dragged, coloured, undone and kept, and a sphere comes in', asyn
   await press('+ Sphere');
   await expect(page).toHaveURL(/tenth-sphere-in-the-scene:1$/);
   await expect(select).toHaveValue('tenth sphere');
-  // A sphere that is gone again isn't selected any more.
+  // After Undo has removed the sphere, the menu selects the previous object.
   await press('Undo');
   await expect(select).toHaveValue('red sphere');
   await press('Redo');
@@ -53,7 +53,7 @@ test('a ball is dragged, coloured, undone and kept, and a sphere comes in', asyn
   await expect(page.locator('.refused')).toBeHidden();
 });
 
-test('the handle of a ball behind another is marked', async ({ page, home }) => {
+test('the handle of a ball behind another ball is marked', async ({ page, home }) => {
   await open(page, `${home}own_scene.html#scene=red-sphere-sideways:-2.1`);
   await page.locator('figure[data-live=own_scene][data-ready]').waitFor({ timeout: 20_000 });
   await expect(page.locator('.handle.covered')).toHaveAccessibleName('blue sphere');
@@ -98,7 +98,7 @@ for (const [width, height] of [[390, 508], [1024, 700]]) {
   });
 }
 
-test('the first page’s picture loads nothing until somebody is at it, then a ball is dragged, and its link has the scene', async ({ page, home }) => {
+test('the first page’s picture loads nothing until the pointer is on it, a ball can be dragged, and the link contains the scene', async ({ page, home }) => {
   const files = [];
   page.on('request', request => files.push(request.url().split('/').at(-1)));
   await open(page, `${home}index.html`);

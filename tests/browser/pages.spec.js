@@ -29,7 +29,7 @@ for (const name of pages) {
   });
 }
 
-test('on a phone, a shadow shows what continues at the edge', async ({ page, home }) => {
+test('on a phone, a shadow at the edge marks what can be scrolled sideways', async ({ page, home }) => {
   await page.setViewportSize({ width: 390, height: 844 });
   await openAll(page, `${home}step01_rays.html`);
   const scrolling = await page.locator('main *').evaluateAll(all => all
@@ -57,7 +57,7 @@ test('the section that is being read is marked in the contents', async ({ page, 
   await expect(marked).toHaveCount(0);
 });
 
-test('a screen reader has the controls of figures from the first, and each figure has a name', async ({ page, home, browserName }) => {
+test('a screen reader finds the controls of figures from the start, and each figure has a name', async ({ page, home, browserName }) => {
   test.skip(browserName !== 'chromium', 'only Chromium shows its tree to a test');
   await openAll(page, `${home}step05_phong.html`);
   const tools = await page.context().newCDPSession(page);
@@ -79,7 +79,7 @@ test('commands are copied without the prompt and the output', async ({ page, hom
     + 'cargo run -p step01_rays -- --aspect 2.59:1 --output cinerama.png');
 });
 
-test('the copied parts of a file are the file if they are pasted one below the other', async ({ page, home, browserName }) => {
+test('the copied parts of a file, pasted one below the other, make up the file', async ({ page, home, browserName }) => {
   test.skip(browserName !== 'chromium', 'only Chromium has a clipboard that a test can read');
   await page.context().grantPermissions(['clipboard-read', 'clipboard-write']);
   const parts = [];
@@ -94,7 +94,8 @@ test('the copied parts of a file are the file if they are pasted one below the o
   expect(parts.length).toBeGreaterThan(2);
   const file = join(import.meta.dirname, '../../steps/step01_rays/src/lib.rs');
   expect(parts.join('')).toBe(readFileSync(file, 'utf8'));
-  // An editor that formats a file drops blank lines at its end.
+  // An editor that formats a file drops blank lines at the end of the file, so no copied part may
+  // end with a blank line.
   expect(parts.filter(part => part.endsWith('\n\n'))).toEqual([]);
 });
 
@@ -111,7 +112,7 @@ for (const name of chapters) {
       await page.setViewportSize({ width, height: 900 });
       await page.emulateMedia({ colorScheme });
       // axe doesn't know MathML. It checks each letter of a formula on its own, and thinks that a
-      // table header is empty if it consists of a formula.
+      // table header is empty if the header consists of a formula.
       const axe = new AxeBuilder({ page }).options({ preload: false, rules: { 'empty-table-header': { enabled: false } } }).exclude('math');
       const { violations } = await axe.analyze();
       const faults = violations.map(({ id, help, nodes }) => `${id}: ${help}, at ${nodes[0].target}`);

@@ -2,7 +2,7 @@
 // panel opens, and the address changes.
 import { expect, makeReady, open, test } from './fixtures.js';
 
-test('a link that names a pixel selects it, and Back returns to the link', async ({ page, home }) => {
+test('a link that names a pixel selects this pixel, and Back returns to the link', async ({ page, home }) => {
   await open(page, `${home}step03_nearest.html`);
   // Lay out all of the page, as if the reader had scrolled down through it.
   await page.locator('main > *').evaluateAll(parts => parts.forEach(part => { part.style.contentVisibility = 'visible'; }));
@@ -26,12 +26,12 @@ test('a link that names a pixel selects it, and Back returns to the link', async
   await expect.poll(async () => Math.abs((await link.boundingBox()).y - place)).toBeLessThan(24);
 });
 
-test('the first click on a picture opens the panel beside it, and the address follows the pixel', async ({ page, home }) => {
+test('the first click on a picture opens the panel beside the picture, and the address names the pixel', async ({ page, home }) => {
   await open(page, `${home}step05_phong.html`);
   const [figure, panel] = [page.locator('figure[data-live="step05_phong"]'), page.locator('[data-panel]')];
   await makeReady(figure);
   await expect(panel).toBeHidden();
-  // The switches are in one row, and the sliders in another.
+  // The switches are in one row, and the sliders are in another row.
   const bottoms = kind => figure.locator(`.controls > .${kind}:visible`).evaluateAll(all => all.map(one => Math.round(one.getBoundingClientRect().bottom)));
   const [switches, sliders] = [await bottoms('switch'), await bottoms('range')];
   expect([switches.length, new Set(switches).size, sliders.length, new Set(sliders).size]).toEqual([3, 1, 2, 1]);
@@ -53,7 +53,7 @@ test('the first click on a picture opens the panel beside it, and the address fo
   await expect(figure.locator('.hint b')).toHaveText('salmon, t = 9.7415');
 });
 
-test('a click on the handle of the disc chooses its pixel, and a drag does not', async ({ page, home }) => {
+test('a click on the handle of the disc chooses the pixel at the handle, and a drag chooses no pixel', async ({ page, home }) => {
   await open(page, `${home}step02_sphere.html`);
   const figure = page.locator('figure[data-live="step02_sphere"]');
   await makeReady(figure);
@@ -79,7 +79,8 @@ for (const [name, seen] of Object.entries({
     await open(page, `${home}${name}.html`);
     const preview = page.locator('figure[data-preview]');
     const { x, y, width } = await preview.locator('img').boundingBox();
-    // In "Step 1: the program", the sky fills the upper half. The figure isn't ready yet.
+    // In "Step 1: the program", the sky fills the upper half of the picture. The figure isn't ready
+    // when it is clicked.
     await page.mouse.click(x + 0.58 * width, y + (name === 'step01_program' ? 0.5 : 0.3) * width);
     await expect(preview.locator('.hint b')).toContainText(seen, { timeout: 20_000 });
     await expect(preview.locator('.hint')).toBeInViewport();
@@ -112,7 +113,7 @@ test('the controls stay in their places when a picture is first touched', async 
   expect(await places()).toEqual(before);
 });
 
-test('the keys reach a pixel of the first picture', async ({ page, home }) => {
+test('the keyboard can choose a pixel of the first picture', async ({ page, home }) => {
   await open(page, `${home}step05_phong.html`);
   const preview = page.locator('figure[data-preview]');
   await preview.focus();
@@ -122,7 +123,7 @@ test('the keys reach a pixel of the first picture', async ({ page, home }) => {
   await expect(page).toHaveURL(/#pixel=469,120$/);
 });
 
-test('on a phone, the picture stays in view while the panel is read', async ({ page, home }) => {
+test('on a phone, the picture stays in view while the reader scrolls through the panel', async ({ page, home }) => {
   await page.setViewportSize({ width: 390, height: 844 });
   await open(page, `${home}step05_phong.html`);
   const [figure, panel] = [page.locator('figure[data-live="step05_phong"]'), page.locator('[data-panel]')];

@@ -40,8 +40,8 @@ export default defineConfig({
       grepInvert: isThorough ? [] : /@thorough|first results|has one height/,
       use: { ...firefox, ...view(390), source: 'folder' },
     },
-    // These run only with THOROUGH=1, since they take minutes, and find little that the other
-    // projects miss.
+    // These projects run only with THOROUGH=1, since they take minutes, and find little that the
+    // other projects miss.
     ...isThorough ? [
       { name: 'firefox-wide', testIgnore: ['webkit.spec.js', 'loading.spec.js'], use: { ...firefox, ...view(1280) } },
       { name: 'webkit', testMatch: 'webkit.spec.js' },

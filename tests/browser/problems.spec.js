@@ -1,8 +1,8 @@
-// The form below a problem on paper says whether a number is right. If the number is wrong, the
-// form says how wrong it is.
+// Below each problem that readers solve on paper, a form says whether their answer is right. If the
+// answer is wrong, the form says whether the answer is too small or too large.
 import { expect, open, test } from './fixtures.js';
 
-test('a number for a problem is right, close or wrong', async ({ page, home }) => {
+test('an answer to a problem is right, close or wrong', async ({ page, home }) => {
   await open(page, `${home}step01_practice.html`);
   const problem = page.locator('#problem-1');
   const answer = Number(await problem.getAttribute('data-answer'));
@@ -15,7 +15,7 @@ test('a number for a problem is right, close or wrong', async ({ page, home }) =
     await problem.getByRole('button', { name: 'Check' }).click();
     await expect(problem.locator('output')).toHaveText(words);
   }
-  // The page keeps the number and its verdict. The sheet of all problems shows them, too.
+  // The page keeps the answer and the verdict. The sheet of all problems shows both, too.
   await problem.getByRole('textbox').fill(String(answer));
   await problem.getByRole('button', { name: 'Check' }).click();
   for (const name of ['step01_practice.html', 'problems.html']) {

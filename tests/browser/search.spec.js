@@ -1,9 +1,11 @@
-// The search finds the section to which a teacher would send a reader, and the page scrolls to it.
+// The search finds the section to which a teacher would send a reader, and the page scrolls to that
+// section.
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { expect, open, test } from './fixtures.js';
 
-// Pairs of a query and the right places for it. A place is one of these:
+// For each query: the query, and the places to which the first result may lead. A place is one of
+// these:
 //
 // - an address,
 // - `hint`, if the query is a message from the compiler, and the search should say what to do about
@@ -12,9 +14,9 @@ import { expect, open, test } from './fixtures.js';
 const queries = readFileSync(join(import.meta.dirname, 'search_queries.txt'), 'utf8').trim().split('\n')
   .map(line => line.split(' → ')).map(([query, places]) => [query, places.split(' or ')]);
 
-// Opens the search with a key, and types a query. The key is pressed until it works, which requires
-// that the search's script has run. If the query is null, the previous query stays in the field.
-// Returns the first result.
+// Opens the search with a key, and types a query. Presses the key until the search opens, because
+// the script of the search may not have run yet. If the query is null, the previous query stays in
+// the field. Returns the first result.
 async function search(page, query) {
   const field = page.locator('#search-field');
   await expect(async () => {
@@ -29,7 +31,8 @@ async function search(page, query) {
 test('first results are right for 19 of 20 queries', async ({ page, home }) => {
   await open(page, `${home}introduction.html`);
   await search(page, 'ray');
-  // Type all queries within the page, because a round trip for each would take long.
+  // Type all queries within the page, because a round trip to the browser for each query would take
+  // long.
   const found = await page.evaluate(queries => queries.map(([query]) => {
     const field = document.getElementById('search-field');
     field.value = query;
@@ -60,7 +63,7 @@ test('what the book doesn\'t have, and the compiler\'s messages, lead to a secti
   }
 });
 
-test('keys open the search, a click outside closes it, and the query stays after Back', async ({ page, home }) => {
+test('keys open the search box, a click outside closes the box, and the query is kept on the next page', async ({ page, home }) => {
   await open(page, `${home}introduction.html`);
   const box = page.locator('#search');
   await search(page, 'lambert');
@@ -94,7 +97,7 @@ test('keys open the search, a click outside closes it, and the query stays after
   await expect(page.locator('#search-results a').first()).toBeVisible();
 });
 
-test('Enter goes to the heading', async ({ page, home }) => {
+test('Enter goes to the heading of the first result', async ({ page, home }) => {
   test.setTimeout(1_200_000);
   // One query for each place is enough.
   const ofPlaces = new Map(queries.filter(([, [place]]) => place.includes('#')).map(([query, [place]]) => [place, query]));
@@ -113,10 +116,10 @@ test('Enter goes to the heading', async ({ page, home }) => {
   }
 });
 
-test('the search keeps the reader’s place, and offers near matches', async ({ page, home }) => {
+test('opening the search does not scroll the page, and near matches are offered', async ({ page, home }) => {
   await open(page, `${home}step03_nearest.html`);
-  // Lay out everything first. Otherwise, a part above the reader's place might be laid out later,
-  // and move that place.
+  // Lay out everything first. Otherwise, a part above the window might be laid out later, and
+  // scroll the page.
   await page.locator('main > *').evaluateAll(parts => parts.forEach(part => { part.style.contentVisibility = 'visible'; }));
   await page.evaluate(() => scrollTo(0, 2000));
   const place = await page.evaluate(() => scrollY);
@@ -126,13 +129,13 @@ test('the search keeps the reader’s place, and offers near matches', async ({ 
   await expect(result).toBeFocused();
   await page.keyboard.press('Escape');
   await expect(page.locator('#search')).toBeHidden();
-  // A figure that becomes ready may move the reader's place by a line.
+  // A figure that becomes ready may scroll the page by a line.
   expect(Math.abs(await page.evaluate(() => scrollY) - place)).toBeLessThan(30);
   await search(page, 'qqqqq');
   await expect(page.locator('#search-status')).toContainText('Nothing');
 });
 
-test('names of JavaScript are words, and ten thousand letters don\'t hold the page', async ({ page, home }) => {
+test('names from JavaScript are ordinary words in a query, and a query of ten thousand letters doesn\'t block the page', async ({ page, home }) => {
   await open(page, `${home}step03_nearest.html`);
   for (const word of ['constructor', '__proto__', 'hasOwnProperty', 'toString']) {
     await search(page, word);

@@ -13,8 +13,8 @@ interface Book {
     tag: K, attributes: Record<string, string | number | boolean>, ...children: (Node | string)[]
   ): HTMLElementTagNameMap[K];
   /**
-   * Sets an element's text, unless the element already has this text. Setting it again would make
-   * the browser lay out the element again.
+   * Sets an element's text, unless the element already has this text. Setting the same text again
+   * would make the browser lay out the element again.
    */
   setText(element: Element, text: string): void;
   /** Makes a range of `length` letters in an element, starting with the letter at `from`. */
@@ -24,8 +24,8 @@ interface Book {
   /** Allows the page to load a script, or start a worker, from this address. */
   trustAddress(address: string): void;
   /**
-   * Copies a text, if the browser allows that. For a while, the button says whether the text
-   * was copied.
+   * Copies a text to the clipboard, if the browser allows that. For a while, the button says
+   * whether the text was copied.
    */
   copyAndReport(button: HTMLButtonElement, text: string, words?: string): Promise<void>;
   /** Returns the keys and values that the browser stores under this name, or an empty object. */
@@ -48,8 +48,8 @@ interface Book {
   whenNear(elements: Iterable<HTMLElement> & { forEach(act: (element: HTMLElement) => void): void }, near: (element: HTMLElement) => void): void;
   /**
    * Loads a script, unless it has been loaded already. Returns whether the script is loaded.
-   * Scripts run in the order in which they are asked for, except for large scripts. If a script
-   * can't be loaded, the next call tries again.
+   * Scripts run in the order of the calls, except for large scripts. If a script can't be loaded,
+   * the next call tries again.
    */
   load(file: string, isLarge?: boolean): Promise<boolean>;
   /** Colours a listing. */
@@ -68,14 +68,14 @@ interface Book {
   modules: {
     /** Stores a file, encoded as base64. A generated script that contains a file calls this. */
     provide(name: string, base64: string): void;
-    /** Loads a module and what it needs, without starting it. */
+    /** Loads a module and the files that the module needs, without starting the module. */
     compile(name: ModuleName): Promise<CompiledModule>;
-    /** Returns the module of this name. Starts it if it isn't running. */
+    /** Returns the module of this name. Starts the module if it isn't running. */
     get(name: ModuleName): Promise<Module>;
     /** Forgets a module that failed, so that the next request starts it again. */
     drop(name: ModuleName): void;
   };
-  /** Starts a module. If the module needs the list of mistakes, passes it that list. */
+  /** Starts a module. If the module needs the list of mistakes, passes the list to the module. */
   startModule(compiled: CompiledModule): Promise<Module>;
   /** The error for a request that a module refuses. */
   Refusal: new (message: string) => Error;
@@ -85,8 +85,8 @@ interface Book {
    */
   ask<R extends ModuleRequest>(module: Module, request: R, file?: Uint8Array): ModuleReplies[R["request"]];
   /**
-   * Paints the pixels of a reply on a canvas: all of them, or only `columns` columns, starting at
-   * `column`.
+   * Paints the pixels of a reply on a canvas. Paints all columns, or only `columns` columns,
+   * starting at `column`.
    */
   paint(canvas: HTMLCanvasElement, reply: Pixels, column?: number, columns?: number): void;
 
@@ -107,7 +107,8 @@ interface Book {
    */
   searchIndex: [string, string, [string, string, string, string, string[]][]][];
   /**
-   * For each hint: the section to read, the compiler's messages that lead to it, and what to do.
+   * For each hint: the section to read, the compiler's messages that lead to the hint, and what to
+   * do.
    */
   searchHints: [string, string[], string][];
   /** Groups of words with nearly the same meaning. */
@@ -115,11 +116,17 @@ interface Book {
 }
 
 interface UndoHistory<State> {
-  /** Adds a state, unless it equals the current state, and drops the states that were undone. */
+  /**
+   * Adds a state, and drops the states that were undone. Does nothing if the state equals the
+   * current state.
+   */
   record(state: State): void;
-  /** Whether there is a state this many steps later, or earlier if the number is negative. */
+  /**
+   * Whether the history has a state this many steps after the current state, or before it if
+   * `steps` is negative.
+   */
   has(steps: number): boolean;
-  /** Moves by this many steps, and returns the state there. */
+  /** Moves by this many steps, and returns the new current state. */
   go(steps: number): State;
 }
 
@@ -145,11 +152,11 @@ interface Pixels {
 
 /**
  * A request from a script to a module. The script sends it as JSON. The crate `page` parses it in
- * request.rs, where the names are the same.
+ * request.rs, where the fields have the same names.
  */
 type ModuleRequest = MistakesRequest | CheckRequest | CheckSceneRequest | EditRequest | FigureRequest;
 
-/** Makes the module store the list of mistakes, which is the file sent with the request. */
+/** Makes the module store the list of mistakes. The list is the file sent with the request. */
 interface MistakesRequest {
   request: "mistakes";
 }
@@ -158,18 +165,23 @@ interface MistakesRequest {
 interface CheckRequest {
   request: "check";
   fileName: string;
-  /** The name of the expected picture, or null if `check` has to find out which picture it is. */
+  /**
+   * The name of the expected picture, or null if `check` has to find out which picture is in the
+   * file.
+   */
   picture: string | null;
 }
 
-/** Checks whether the file is the picture of a person's scene. */
+/**
+ * Checks whether the file is the picture of the scene that is generated from this person's name.
+ */
 interface CheckSceneRequest {
   request: "check-scene";
   fileName: string;
   person: string;
 }
 
-/** Draws a step with edited lines in it. */
+/** Draws the picture of a step in which these edited lines replace the book's lines. */
 interface EditRequest {
   request: "edit";
   columns: number;
@@ -181,9 +193,9 @@ interface EditRequest {
 type FigureRequest = { figure: string } & (
   /** Asks for a description of the parameters and the handles. */
   | { request: "about" }
-  /** Asks for everything that the page shows at these values. */
+  /** Asks for everything that the page shows at these values of the parameters. */
   | { request: "show", values: ParameterValues, columns: number | null }
-  /** Asks for the same as "show", except for the drawing or the pixels. */
+  /** Asks for the same as "show", but without the drawing or the pixels. */
   | { request: "read", values: ParameterValues }
   /** Asks for the same as "show", after a handle was dragged. */
   | { request: "drag", values: ParameterValues, handle: number, position: [number, number], columns: number | null }
@@ -220,7 +232,7 @@ type ExitCode = 0 | 1 | 2;
 
 /**
  * The reply of `check` to a file. `lines` is the text of the answer, headline first. If a line
- * names a section of the book, `links` contains its address.
+ * names a section of the book, `links` contains the section's address, keyed by the line.
  */
 interface CheckReply extends Pixels {
   code: ExitCode;
@@ -229,8 +241,8 @@ interface CheckReply extends Pixels {
 }
 
 /**
- * The reply to edited lines: a picture and a note about it, or what is wrong with one of the
- * lines.
+ * The reply to edited lines: a picture and a note about the picture, or what is wrong with one of
+ * the lines.
  */
 interface EditReply extends Pixels {
   note?: string;
@@ -243,7 +255,7 @@ interface EditReply extends Pixels {
 
 // Figures, as the crate `figures` describes them.
 
-/** The value of each parameter, keyed by its id. */
+/** The value of each parameter, keyed by the parameter's id. */
 type ParameterValues = Record<string, number>;
 
 interface ParameterAbout {
@@ -269,7 +281,7 @@ interface HandleAbout {
 interface FigureAbout {
   parameters: ParameterAbout[];
   handles: HandleAbout[];
-  /** The number of columns of a picture at full size; null for a drawing. */
+  /** How many columns the figure's picture has at full size. Null if the figure is a drawing. */
   columns: number | null;
   /**
    * Only for an editable scene: for each object, the ids of the parameters for red, green and blue.
@@ -284,7 +296,7 @@ interface FigureReply extends Pixels {
   positions: ([number, number] | null)[];
   readouts: Record<string, string>;
   drawing?: string;
-  /** Only for an editable scene. */
+  /** Only an editable scene has a program and an address. */
   program?: string;
   address?: string;
 }
@@ -327,7 +339,7 @@ interface InteractiveFigure {
   fault: HTMLElement;
   output: HTMLElement;
   reset: HTMLButtonElement;
-  /** In an editable scene: the menu that chooses an object. */
+  /** In an editable scene: the menu in which the reader chooses an object. */
   objectSelect: HTMLSelectElement | null;
   /** Width and height, in the figure's own coordinates. */
   size: number[];
@@ -347,9 +359,9 @@ interface InteractiveFigure {
   positionOfPointer(pointer: { clientX: number, clientY: number }): [number, number];
 }
 
-/** A line in a listing that the reader may edit. */
+/** An editable line in a listing. */
 interface EditedLine extends HTMLElement {
-  /** The HTML of the book's text, including its colours. */
+  /** The HTML of the book's code for this line, including the colours. */
   bookHTML?: string;
 }
 
