@@ -1,6 +1,6 @@
-//! Draws every locked picture, and compares it with its snapshot. Each picture has a test that is
-//! named after it. The locked pictures are those of the steps, exercises and chapters, and the
-//! cover. These tests run before all others.
+//! Draws every locked picture, and compares it with its snapshot. Each picture has its own test,
+//! which has the picture's name. The locked pictures are those of the steps, exercises and
+//! chapters, and the cover. These tests run before all other tests.
 
 use course::{draw_with_difference, workspace};
 use image::{Rgb, RgbImage};
@@ -9,7 +9,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use support::{assert_picture_snapshot, locked_pictures};
 
-/// Defines one test per name.
+/// Defines a test for each of these pictures.
 macro_rules! test_pictures {
     ($($name:ident)*) => {
         $(
@@ -47,7 +47,7 @@ fn each_snapshot_has_a_test_of_its_name() {
             || tested.contains(&name) && ["snap", "snap.png"].contains(&extension)
     };
     let orphans: Vec<_> = names.filter(|file| !is_tested(file)).collect();
-    assert!(orphans.is_empty(), "no test compares {orphans:?}");
+    assert!(orphans.is_empty(), "no test uses the snapshots {orphans:?}");
 }
 
 /// Returns all files in a folder and its subfolders.
@@ -58,9 +58,9 @@ fn files_below(folder: &Path) -> Vec<PathBuf> {
     files.flatten().collect()
 }
 
-/// A text snapshot has the name of its test function, or a name that is a string in its crate. So a
-/// snapshot whose name occurs nowhere in its crate can't belong to any test. To find all unused
-/// snapshots, run `cargo insta test --unreferenced=reject`.
+/// The name of a text snapshot is that of a test function, or a string literal in the same crate.
+/// So if the name occurs nowhere in the crate's source, no test uses the snapshot. This test
+/// doesn't find every unused snapshot, but `cargo insta test --unreferenced=reject` does.
 #[test]
 fn name_of_each_text_snapshot_occurs_in_its_crate_source() {
     let (mut orphans, mut count) = (vec![], 0);
@@ -84,7 +84,7 @@ fn name_of_each_text_snapshot_occurs_in_its_crate_source() {
             count += 1;
         }
     }
-    assert!(orphans.is_empty() && count > 0, "no test compares {orphans:#?}");
+    assert!(orphans.is_empty() && count > 0, "no test uses the snapshots {orphans:#?}");
 }
 
 #[test]

@@ -11,9 +11,9 @@ use support::{RandomInputs, test_law};
 
 /// Returns every set of vector instructions that this machine supports.
 ///
-/// `fearless_simd` also has a fallback without vector instructions. We don't test the fallback: if
-/// all processors of the target have vector instructions, it isn't even compiled, and compiling it
-/// anyway would cost a cold `cargo test` nearly a minute of CPU time.
+/// `fearless_simd` also has a fallback without vector instructions. We don't test the fallback. For
+/// a target whose processors all have vector instructions, the fallback isn't even compiled.
+/// Compiling the fallback anyway would cost a cold `cargo test` nearly a minute of CPU time.
 fn simd_levels() -> Vec<Level> {
     let best = Level::new();
     let mut levels = vec![Level::baseline(), best];
@@ -34,8 +34,8 @@ fn assert_fast_draws(camera: &Camera, samples: u32, scene: &Scene<Material, Ligh
     }
 }
 
-/// A scene of spheres of all sizes in any position, with up to four lights. A few of the spheres
-/// occur twice, usually in different materials.
+/// A random scene, with small and large spheres in any position, and up to four lights. A few
+/// spheres occur twice, usually with different materials.
 fn random_scene(random: &mut RandomInputs) -> Scene<Material, Light> {
     let mut scene = generate_scene(&random.index(10_000).to_string());
     let objects = scene.objects.clone();
@@ -60,8 +60,8 @@ fn random_scene(random: &mut RandomInputs) -> Scene<Material, Light> {
     scene
 }
 
-/// A camera with any field of view, in any orientation, sometimes mirrored. The picture may be
-/// wider than one of the tiles in which `fast` draws.
+/// A random camera, with a narrow or wide field of view, in any position and orientation, sometimes
+/// mirrored. The camera's picture may be wider than the tiles in which `fast` draws.
 fn random_camera(random: &mut RandomInputs) -> Camera {
     let angle = [0.001, 1.0, 60.0, 120.0, 179.0, 179.999][random.index(6)];
     let size = (2 + random.index(80) as u32, 1 + random.index(70) as u32);
@@ -95,9 +95,8 @@ fn fast_draws_the_bytes_of_render_from_inside_a_ball_and_from_its_surface() {
     });
 }
 
-// The ray through the middle meets both spheres at t = 4. Neither sphere has a nearer point, so
-// `fast` may test either of them first. The sphere that comes first in the scene still has to win
-// the tie.
+// The ray through the middle meets both spheres at t = 4. Both spheres are equally near, so `fast`
+// may test either sphere first. The sphere that comes first in the scene still has to win the tie.
 #[test]
 fn fast_shows_the_first_of_two_spheres_that_touch_where_a_ray_meets_them() {
     let mut scene = generate_scene("touching");
@@ -127,7 +126,7 @@ fn fast_draws_the_bytes_of_render_with_a_light_at_a_visible_point() {
 }
 
 // If the columns of a camera's matrix lie in one plane, all of the camera's rays lie in that plane,
-// too. Some of them may even coincide.
+// too. Some of the rays may even coincide.
 #[test]
 fn fast_draws_the_bytes_of_render_for_rays_in_one_plane() {
     test_law(15, |random| {
@@ -142,8 +141,8 @@ fn fast_draws_the_bytes_of_render_for_rays_in_one_plane() {
 }
 
 // Two of the blocks of pixels that `fast` draws meet at column 15.5. This camera's centre is at
-// that column, and nearly in the plane of the picture. The centre and the common edge of the two
-// blocks define a plane, which rounding errors in V turn by a large angle.
+// that column, and nearly in the plane of the picture. Rounding errors in V turn the plane through
+// the centre and the common edge of the two blocks by a large angle.
 #[test]
 fn fast_draws_the_bytes_of_render_for_a_camera_nearly_in_the_plane_of_its_picture() {
     test_law(60, |random| {
@@ -178,7 +177,7 @@ fn fast_draws_the_bytes_of_render_if_every_sphere_occurs_twice() {
         let mut scene = generate_scene(&random.index(10_000).to_string());
         scene.lights.truncate(random.index(3));
         scene.objects.truncate(random.index(10));
-        // Add a copy of every sphere, in a different material. Only the original may be visible.
+        // Add a copy of every sphere, in a different material. Only the originals may be visible.
         let pairs = scene.objects.iter().zip(scene.objects.iter().rev());
         let copies: Vec<_> = pairs.map(|(one, other)| one.with_material(other.material)).collect();
         scene.objects.extend(copies);
@@ -190,10 +189,10 @@ fn fast_draws_the_bytes_of_render_if_every_sphere_occurs_twice() {
     });
 }
 
-// If a sphere's radius is less than 1e-8 times its distance, the radius is lost in the rounding
-// errors of D. Such a sphere is drawn as a spot that is larger than the sphere, with hits that are
-// too near or too far. Here, these spots are larger than a pixel, and are scattered around the
-// surface of a larger ball.
+// If a sphere's radius is less than 1e-8 times the sphere's distance, the radius is lost in the
+// rounding errors of D. Such a sphere is drawn as a spot that is larger than the sphere, with hits
+// that are too near or too far. Here, these spots are larger than a pixel, and are scattered around
+// the surface of a larger ball.
 #[test]
 fn fast_draws_the_bytes_of_render_where_rounding_errors_are_larger_than_the_spheres() {
     test_law(16, |random| {
@@ -214,7 +213,7 @@ fn fast_draws_the_bytes_of_render_where_rounding_errors_are_larger_than_the_sphe
             let radius = distance * 10_f64.powf(random.number(-11.0, -7.0));
             spheres.insert(random.index(spheres.len() + 1), Sphere { centre, radius });
         }
-        // In half of the scenes, remove the ball, so that the sky behind it is visible.
+        // In half of the scenes, remove the ball, so that the sky behind the ball is visible.
         if random.index(2) == 0 {
             spheres.retain(|sphere| *sphere != ball);
         }
@@ -247,7 +246,7 @@ fn fast_rounds_like_render() {
             scene
         };
         let lit = colour(&with_sphere(hit_sphere, DVec3::ZERO), &ray);
-        // The ambient light that moves the colour to halfway between two bytes.
+        // This ambient light moves the colour to halfway between two bytes.
         let ambient_light = ((255.0 * lit).floor() + 1.5) / 255.0 - lit;
         for (sphere, light) in [(tangent_sphere, DVec3::ONE), (hit_sphere, ambient_light)] {
             assert_fast_draws(&camera, 1, &with_sphere(sphere, light));
@@ -255,7 +254,7 @@ fn fast_rounds_like_render() {
     });
 }
 
-/// A camera with few pixels, in any position.
+/// A camera with few pixels, at a random position.
 fn small_camera_at_random_position(random: &mut RandomInputs) -> Camera {
     let roll = random.number(-3.0, 3.0);
     look_at(&camera_with_size(37, 7), random.point(), DVec3::NEG_Z, roll)

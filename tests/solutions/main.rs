@@ -48,18 +48,19 @@ fn starters_fast_and_own_scene_draw_the_pictures_of_their_steps() {
     }
 }
 
-/// Replaces each number in the camera's matrix with its `neighbour`, the next or the previous f64.
-/// Integers stay as they are: the formulas give them exactly, no matter how the terms are ordered.
+/// Replaces each number in the camera's matrix with its `neighbour`, which is the next or the
+/// previous f64. Integers stay as they are, because the formulas give integers exactly, no matter
+/// how the terms are ordered.
 fn perturb_camera(camera: &Camera, neighbour: fn(f64) -> f64) -> Camera {
     let perturb = |x: f64| if x.fract() == 0.0 { x } else { neighbour(x) };
     let matrix = camera.matrix.to_cols_array().map(perturb);
     Camera { matrix: DMat3::from_cols_array(&matrix), ..*camera }
 }
 
-/// On a different platform, the tangent may differ in its last bit. A number in the matrix may
-/// differ, too, if a reader writes the terms of its formula in a different order. We skip the
-/// picture `speckled`: it is meant to show rounding errors, and its camera's tangent is a literal,
-/// which is the same on every platform.
+/// On a different platform, the tangent may have a different last bit. If a reader writes the terms
+/// of a formula in a different order, a number in the camera's matrix may have a different last
+/// bit, too. We skip the picture `speckled`, because it is meant to show rounding errors. Its
+/// camera's tangent is a literal, which is the same on every platform.
 #[test]
 #[ignore = "takes a minute: cargo test -- --include-ignored"]
 fn pictures_do_not_depend_on_the_last_bit_of_the_camera() {

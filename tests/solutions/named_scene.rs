@@ -9,7 +9,7 @@ fn spheres_of_a_named_scene_do_not_overlap_and_no_ray_is_tangent_to_a_sphere() {
     for name in ["ada", "bob", ""] {
         let objects = generate_scene(name).objects;
         // Allow a small overlap: as in the course's scene, the numbers are rounded to two decimals,
-        // so a sphere that rests on the ground may overlap it a little.
+        // so a sphere that rests on the ground may overlap the ground a little.
         for (k, a) in objects.iter().enumerate() {
             for b in &objects[..k] {
                 let distance = a.sphere.centre.distance(b.sphere.centre);

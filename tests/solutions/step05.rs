@@ -75,7 +75,7 @@ fn glass_reflects_all_light_from_inside_beyond_42_degrees() {
     let scene = glass::glasses(1.5);
     let hit = Hit { t: 1.0, object: &scene.objects[0] };
     let point = SurfacePoint { hit, p: DVec3::new(0.0, 1.0, 0.0), n: DVec3::Y };
-    // A ray that reaches the surface from inside, at this angle to the normal.
+    // A ray that reaches the surface from inside, at an angle of `degrees` to the normal.
     let ray_at = |degrees: f64| {
         let direction = DVec3::Y.rotate_z(degrees.to_radians());
         Ray { start: point.p - direction, direction }
@@ -85,9 +85,9 @@ fn glass_reflects_all_light_from_inside_beyond_42_degrees() {
         let mirrored = DVec3::NEG_Y.rotate_z(-f64::to_radians(degrees));
         assert!(seen(degrees).abs_diff_eq(mirrored, 1e-12), "{degrees}°: {}", seen(degrees));
     }
-    // At a slightly smaller angle, most of the light leaves.
+    // At a slightly smaller angle, most of the light leaves the glass.
     assert!(seen(41.0).y > -0.5, "{}", seen(41.0));
-    // With an index below 1, as for an air bubble in glass, rays from outside are totally
+    // With an index below 1, as for an air bubble in glass, rays from outside may be totally
     // reflected, too.
     let from_outside =
         Ray { start: DVec3::new(-2.0, 2.0, 0.0), direction: DVec3::new(2.0, -1.0, 0.0) };
@@ -110,8 +110,8 @@ fn last_mirror_shows_its_own_colour_and_the_last_glass_is_black() {
         let Some(point) = visible_point(&scene.objects, &ray) else { continue };
         let mirror::Mirror { material, k } = point.material();
         if *k > 0.0 {
-            // With a depth of 1, a ray sees a mixture of two colours: the mirror's own, and that of
-            // the mirror image, which is traced with a depth of 0.
+            // With a depth of 1, a ray sees a mixture of two colours: the mirror's own colour, and
+            // the colour of the mirror image. The mirror image is traced with a depth of 0.
             let start = point.p + mirror::OFFSET * point.n;
             let mirrored = Ray { start, direction: reflect(point.n, -ray.direction) };
             let is_hidden = |light: &Light| {

@@ -1,5 +1,6 @@
 //! Tests of predictions. A chapter asks the reader to predict what a program will draw, often after
-//! a change, and then gives the answer. Each test quotes that answer, and checks it.
+//! a change, and then gives the answer. Each test quotes such an answer, and checks that the answer
+//! is true.
 
 use glam::DVec3;
 use step02_sphere::{Ray, Roots};

@@ -1,5 +1,5 @@
 //! Tests that the programs of the five steps draw their pictures. The options are tested only in
-//! step 1's program, since all five programs share the code for them.
+//! step 1's program, because the five programs share the code for the options.
 
 use course::{
     Step, cargo_command, describe_difference, read_locked_picture, target_folder, workspace,
@@ -74,14 +74,14 @@ fn program_refuses_what_is_not_allowed_and_leaves_files_alone() {
     let old_files = ["step01_rays.png", "old.jpg", "unwritable.png"].map(|file| folder.join(file));
     old_files.iter().for_each(|file| fs::write(file, "old").expect("the file can be written"));
     fs::create_dir(folder.join("folder.png")).expect("the folder can be created");
-    // A program first writes its picture to a file of this name, so that the old picture survives
-    // if writing fails. Here, writing fails, because a folder has this name.
+    // A program first writes its picture to a file `NAME.tmp`, so that the old picture survives if
+    // writing fails. Here, writing fails, because `unwritable.tmp` is a folder.
     fs::create_dir(folder.join("unwritable.tmp")).expect("the folder can be created");
     let texts = REFUSED.map(|arguments| {
         let Output { status, stdout, stderr } = run_program("step01_rays", &folder, arguments);
         assert!(
             status.success() || stdout.is_empty(),
-            "a failed program printed to stdout: {arguments}"
+            "a program that fails prints nothing to stdout: {arguments}"
         );
         let text = String::from_utf8([stdout, stderr].concat()).expect("the program prints UTF-8");
         let code = status.code().unwrap_or(-1);
@@ -107,7 +107,7 @@ fn create_empty_folder(test: &str) -> PathBuf {
     folder
 }
 
-/// Runs a step's program in `folder`. Single spaces separate the `arguments`.
+/// Runs a step's program in `folder`. The `arguments` are separated by single spaces.
 fn run_program(step: &str, folder: &Path, arguments: &str) -> Output {
     static BUILD: Once = Once::new();
     BUILD.call_once(build_programs);
@@ -120,8 +120,8 @@ fn run_program(step: &str, folder: &Path, arguments: &str) -> Output {
 
 /// Builds the programs, because `cargo test` doesn't build binaries from other packages.
 ///
-/// With `--workspace`, Cargo builds the programs' dependencies with the same features as everywhere
-/// else.
+/// With `--workspace`, Cargo builds the programs' dependencies with the same features as in other
+/// builds of the workspace.
 fn build_programs() {
     let mut cargo = cargo_command();
     cargo.args(["build", "--quiet", "--workspace", "--target-dir"]).arg(target_folder());

@@ -26,7 +26,7 @@ macro_rules! chapter_pictures {
             vec![$((stringify!($name), $camera, $draw)),*]
         }
 
-        /// Passes the names of the chapters' pictures to a macro.
+        /// Passes the names of the pictures in `chapter_pictures` to a macro.
         #[macro_export]
         macro_rules! with_chapter_picture_names {
             ($dollar callback:ident) => { $dollar callback! { $($name)* } };
@@ -71,7 +71,7 @@ fn checkerboard_detail_camera() -> Camera {
 }
 
 /// A camera for a close-up of the pixels that the gate changes. The gate is the test of n·l:
-/// without it, these pixels would show a highlight.
+/// without the gate, these pixels would show a highlight.
 fn gate_detail_camera() -> Camera {
     crop_camera(camera(), [585.0, 150.0], [40, 30])
 }
@@ -102,7 +102,7 @@ fn draw_mirrors_without_reflections(camera: &Camera, shadow_offset: f64) -> RgbI
 }
 
 /// Crops a camera to a rectangle of its picture. `corner` is the rectangle's first column and row.
-/// `h_res` and `v_res` are its numbers of columns and rows.
+/// `h_res` and `v_res` are the rectangle's numbers of columns and rows.
 fn crop_camera(camera: Camera, corner: [f64; 2], [h_res, v_res]: [u32; 2]) -> Camera {
     let crop = DMat3::from_translation(corner.into());
     Camera { h_res, v_res, matrix: camera.matrix * crop, ..camera }

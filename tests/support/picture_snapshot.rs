@@ -20,9 +20,9 @@ pub fn assert_picture_snapshot(name: &str, picture: &RgbImage, assert_png: impl 
     let mut settings = Settings::clone_current();
     settings.set_prepend_module_to_snapshot(false);
     settings.set_omit_expression(true);
-    // This is where the comparison is saved if the target folder is the default one. We don't
-    // mention a custom target folder: the description is part of the snapshot, which has to be the
-    // same on every machine.
+    // The description says where the comparison is saved if the target folder is the default
+    // folder. We don't mention a custom target folder, because the description is part of the
+    // snapshot, which has to be the same on every machine.
     settings.set_description(format!("target/differences/{name}.png"));
     let mismatch = describe_and_save_mismatch(name, picture);
     match &mismatch {
@@ -34,15 +34,15 @@ pub fn assert_picture_snapshot(name: &str, picture: &RgbImage, assert_png: impl 
     }
     let update = snapshot_update();
     if update == SnapshotUpdate::No {
-        // Don't ask insta: it would delete a picture that is still waiting for review.
+        // Don't call `assert_png`: insta would delete a picture that is still waiting for review.
         return assert!(mismatch.is_none(), "{name} differs from the locked picture");
     }
     let locked_png = fs::read(locked_picture_path(name)).ok();
     let png = locked_png.filter(|_| mismatch.is_none()).unwrap_or_else(|| encode_png(picture));
     settings.bind(|| assert_png(png));
     if update == SnapshotUpdate::InPlace {
-        // A failed test leaves two files for review. When insta accepts the picture, it deletes
-        // only one of them.
+        // A failed test leaves two files for review. When insta accepts the picture, insta deletes
+        // only one of the two files.
         let _ = fs::remove_file(locked_picture_path(name).with_extension("new"));
     }
 }
@@ -70,7 +70,7 @@ fn describe_and_save_mismatch(name: &str, picture: &RgbImage) -> Option<String> 
     Some(format!("{difference}.\n{caption} {}", path.display()))
 }
 
-/// Where the panels are saved that compare the picture called `name` with its snapshot.
+/// The file for the panels that compare the picture called `name` with its snapshot.
 fn panels_path(name: &str) -> PathBuf {
     target_folder().join(format!("differences/{name}.png"))
 }

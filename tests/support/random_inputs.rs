@@ -7,8 +7,8 @@ use glam::DVec3;
 #[derive(Debug)]
 pub struct RandomInputs(Rng);
 
-/// Calls `law` with random inputs, as often as `count` says. A law asserts something that holds for
-/// every input.
+/// Calls `law` with random inputs `count` times. `law` asserts something that holds for every
+/// input.
 pub fn test_law(count: usize, mut law: impl FnMut(&mut RandomInputs)) {
     let mut inputs = RandomInputs(Rng::with_seed(5));
     (0..count).for_each(|_| law(&mut inputs));

@@ -1,18 +1,18 @@
-//! Tests that every code name in a chapter's text is also in the code, so that a rename can't leave
-//! the old name behind in the text.
+//! Tests that the code contains every identifier that the chapters' text mentions. Otherwise, a
+//! rename could leave the old identifier behind in the text.
 
 use super::assert_no_faults;
 use super::built_book::read_workspace_folder;
 use super::source_listings::SOURCE_FILES;
 use std::collections::HashSet;
 
-/// Names in the chapters that aren't in the steps' files. They come from Rust, insta, OpenGL or a
-/// workflow.
+/// Identifiers that the chapters mention, but that the steps' files don't contain. They come from
+/// Rust, insta, OpenGL or a workflow.
 const FOREIGN_NAMES: [&str; 7] =
     ["break", "f32", "ceil", "INSTA_UPDATE", "unseen", "gluPerspective", "LATE"];
 
-/// Splits a text into words. An item consists of the text before a word, the word, and the text
-/// after it.
+/// Splits a text into words. Each item consists of the text before a word, the word, and the text
+/// after the word.
 fn words_with_surroundings(text: &str) -> impl Iterator<Item = (&str, &str, &str)> {
     let is_part = |c: char| c.is_alphanumeric() || c == '_';
     let words = text.split(move |c| !is_part(c)).filter(|word| !word.is_empty());
@@ -22,8 +22,12 @@ fn words_with_surroundings(text: &str) -> impl Iterator<Item = (&str, &str, &str
     })
 }
 
-/// Whether a word in a code span has to be a name. This is so if the word is the whole span, in
-/// `snake_case` or `CamelCase`, called as a function, or part of a path.
+/// Whether a word in a code span has to be an identifier in the code. This is so if the word
+///
+/// - is the whole span,
+/// - is written in `snake_case` or `CamelCase`,
+/// - is called as a function, or
+/// - is part of a path.
 fn must_be_name(before: &str, word: &str, after: &str) -> bool {
     let mut pairs = word.chars().zip(word.chars().skip(1));
     word.starts_with(|c: char| c.is_alphabetic())
@@ -72,7 +76,8 @@ impl<'a> SourceNames<'a> {
         }
     }
 
-    /// Whether the code contains `owner::name`, or a file that declares `owner` contains `name`.
+    /// Whether the code contains `owner::name`, or whether a file that declares `owner` also
+    /// contains `name`.
     fn has_path(&self, owner: &str, name: &str) -> bool {
         self.files.iter().any(|(_, code)| {
             let declares_owner = words_with_surroundings(code).any(|(before, word, _)| {
@@ -84,13 +89,15 @@ impl<'a> SourceNames<'a> {
         })
     }
 
-    /// Whether a file has this name, or a path that ends with `/` and this name.
+    /// Whether the reader types a file with this name. `name` may also be the end of a path, such
+    /// as `src/ray.rs`.
     fn has_file(&self, name: &str) -> bool {
         self.files.iter().any(|(path, _)| format!("/{path}").ends_with(&format!("/{name}")))
     }
 }
 
-/// Describes what is wrong with the names in a code span, in one sentence per fault.
+/// Returns a sentence for each fault in a code span: an identifier that the code doesn't contain,
+/// or a file that doesn't exist.
 fn describe_name_faults(code_span: &str, source: &SourceNames) -> Vec<String> {
     let mut faults = vec![];
     for (before, word, after) in

@@ -1,7 +1,7 @@
 //! Tests the workflow for a class whose students start from `book/reader`. The workflow has to pass
-//! if a student's program draws the right picture, and to fail if the picture is there but wasn't
-//! drawn by the program. The tests run the commands of the workflow's two jobs as GitHub does, each
-//! job in its own folder.
+//! if a student's program draws the right picture, and to fail if the picture is committed but the
+//! program doesn't draw it. The tests run the commands of the workflow's two jobs as GitHub does,
+//! each job in its own folder.
 
 use super::built_book::built_book;
 use super::page_items::typed_files;
@@ -28,7 +28,7 @@ fn job_text(job: &str) -> &'static str {
     text.split_once("\n\n").map_or(text, |(text, _)| text)
 }
 
-/// The commands of a job, in order. Leaves out the command that updates Rust.
+/// Returns the commands of a job in order, without the command that updates Rust.
 fn job_commands_without_rustup(job: &str) -> Vec<JobCommand> {
     let steps = job_text(job).split("\n      - ").skip(1);
     let command = |step: &str| {
@@ -80,7 +80,7 @@ fn create_student_repository(folder: &Path) -> Result<()> {
     Ok(())
 }
 
-/// Writes step 1 into `folder`, as a reader types it.
+/// Writes the files of step 1 into `folder`, as a reader types them.
 fn type_first_step(folder: &Path) -> Result<()> {
     for (path, text) in typed_files(pages_of_step(built_book(), "step01_rays")) {
         fs::create_dir_all(folder.join(path).with_file_name(""))?;
@@ -175,7 +175,8 @@ fn workflow_passes_only_if_a_program_draws_the_picture() -> Result<()> {
     assert!(run_workflow(&folder, "")?.contains("Nothing is required"));
     assert!(run_workflow(&folder, "step01_rays, step02_sphere").is_err());
     run_bash(&class.join("jobs/draw/student"), "cargo test -p locked", &[])?;
-    // In all of these attacks, the right picture is committed, but no program draws it:
+    // In each of these attacks, the correct picture is committed, but the student's program doesn't
+    // draw it:
     //
     // - The program does nothing.
     // - A Cargo setting makes `cargo run` copy the committed picture.

@@ -1,5 +1,5 @@
-//! Tests the Rust program that the page "A scene of your own" writes for a reader's scene: it has
-//! to draw the same picture as the page.
+//! Tests the Rust program that the page "A scene of your own" writes for a reader's scene: the
+//! program has to draw the same picture as the page.
 
 use super::built_book::read_workspace_folder;
 use super::reader_workspace::ReaderWorkspace;
@@ -23,16 +23,16 @@ fn own_scene_figure() -> (&'static Figure, &'static EditableScene) {
     (figure, figure.editable_scene.as_ref().expect("the figure has an editable scene"))
 }
 
-/// At first, the page shows the file of the example. Once a reader changes the scene, the page
-/// shows the program that it writes for that scene. So for the unchanged scene, file and program
-/// have to be the same.
+/// At first, the page shows the file of the example `own_scene`. Once a reader changes the scene,
+/// the page shows a program that the page writes for the changed scene. So for the unchanged scene,
+/// file and program have to be the same.
 #[test]
 fn program_of_the_unchanged_scene_is_the_example() {
     let (figure, scene) = own_scene_figure();
     let program = (scene.program)(&figure.default_values());
     let examples = read_workspace_folder("steps/step05_phong/examples");
     let example = examples.text("own_scene.rs").expect("the example exists");
-    // A None at the end shows whether one of the texts has more lines.
+    // Each text ends with None, so that a text with more lines differs from the other text.
     let expected = example.lines().map(Some).chain([None]);
     let different = program.lines().map(Some).chain([None]).zip(expected).find(|(a, b)| a != b);
     assert_eq!(different, None, "a line of the program differs from that in examples/own_scene.rs");
@@ -49,8 +49,8 @@ fn program_of_a_scene_draws_its_picture() {
     }
 }
 
-/// Saves a program, runs it with the command in the program's second line, and asserts that it
-/// draws `picture`. The command ends with the program's name.
+/// Saves a program, runs it with the command in the program's second line, and asserts that the
+/// program draws `picture`. The command ends with the program's name.
 fn assert_program_draws(reader: &ReaderWorkspace, program: &str, picture: &RgbImage) {
     let second_line = program.lines().nth(1).expect("the program has a second line");
     let command = second_line.split('`').nth(1).expect("the line contains a command");

@@ -28,11 +28,11 @@ pub enum PageItem<'a> {
 
 /// A command on a page, with its output as the page shows it.
 pub struct PageCommand {
-    /// The page's name, and the id of the command or, if it has none, the nearest id above.
+    /// The page's name, and an id: that of the command, or the nearest id above the command.
     pub location: String,
     /// The command line, for a shell.
     pub line: String,
-    /// The exit code that the page promises, or 0 if the page doesn't mention one.
+    /// The exit code that the page promises, or 0 if the page mentions no exit code.
     pub exit_code: i32,
     /// The output, in which `…` stands for any text.
     pub output: String,
@@ -55,7 +55,7 @@ pub fn headings_listings_and_commands(page: &Page) -> Vec<PageItem<'_>> {
             page.descendants(element)
                 .iter()
                 .find(|inner| inner.tag == "code")
-                .expect("the element has code")
+                .expect("the element contains a `code` element")
         };
         match (&*element.tag, element.attr("class")) {
             (_, Some("listing")) => {

@@ -1,4 +1,4 @@
-//! A workspace like a reader's, in which the book's commands are run.
+//! A workspace like a reader's, in which the tests run the book's commands.
 
 use super::built_book::built_book;
 use super::page_items::{TypedFiles, typed_files};
@@ -9,8 +9,8 @@ use std::fs::{self, File};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
-/// Returns the pages about a step, in the book's order. Their names begin with the first word of
-/// the step's name, such as `step01`.
+/// Returns the pages about a step, in the book's order. The pages' names begin with the first word
+/// of the step's name, such as `step01`.
 pub fn pages_of_step<'a>(book: &'a Site, step: &str) -> impl Iterator<Item = &'a Page> {
     let pages = book.pages_in_order().into_iter();
     pages.filter(move |page| page.name.split('_').next() == step.split('_').next())
@@ -50,8 +50,8 @@ impl ReaderWorkspace {
         Ok(())
     }
 
-    /// Writes a file, unless it already has this text. Rewriting the same text would make Cargo
-    /// compile the file again.
+    /// Writes a text to a file, unless the file already has this text. Rewriting the same text
+    /// would make Cargo compile the file again.
     pub fn write_if_changed(&self, path: &str, text: &str) -> Result<()> {
         let path = self.folder.join(path);
         if fs::read_to_string(&path).ok().as_deref() != Some(text) {
@@ -61,9 +61,9 @@ impl ReaderWorkspace {
         Ok(())
     }
 
-    /// Replaces `steps/*` in the manifest with the paths of the members. Cargo would put the
-    /// workspace's path in front of that pattern. If the path contained square brackets, Cargo
-    /// would take them for a part of the pattern, and find no members.
+    /// Replaces the pattern `steps/*` in the manifest with the paths of the members. Cargo would
+    /// put the workspace's path in front of the pattern. If the workspace's path contained square
+    /// brackets, Cargo would take the brackets for a part of the pattern, and find no members.
     fn list_members_in_manifest(&self) -> Result<()> {
         let mut members = vec![];
         for entry in fs::read_dir(self.folder.join("steps"))? {
@@ -99,14 +99,15 @@ pub fn command_in_reader_folder(folder: &Path, program_and_arguments: &[&str]) -
     let mut command = Command::new(program_and_arguments[0]);
     command.args(&program_and_arguments[1..]).current_dir(folder);
     command.env("CARGO_NET_OFFLINE", "true").env("CARGO_TERM_QUIET", "true");
-    // Share our build folder, in which the dependencies are already compiled with the same
-    // settings. The reader's five crates have the same names as ours. So that they don't overwrite
-    // ours, callers choose a different optimisation level for them.
+    // Share our build folder, which already contains the dependencies, compiled with the same
+    // settings. The reader's five crates have the same names as our crates. Callers choose a
+    // different optimisation level for the reader's crates, so that the reader's crates don't
+    // overwrite ours.
     command.env("CARGO_BUILD_BUILD_DIR", target_folder()).env("CARGO_INCREMENTAL", "0");
     // The book's commands set INSTA_UPDATE themselves, and INSTA_WORKSPACE_ROOT would point to our
     // folder.
     command.env_remove("INSTA_UPDATE").env_remove("INSTA_WORKSPACE_ROOT");
-    // With this variable set, Cargo would put the programs into a different folder.
+    // If this variable were set, Cargo would put the programs into a different folder.
     command.env_remove("CARGO_BUILD_TARGET");
     command
 }

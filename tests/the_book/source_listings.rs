@@ -6,7 +6,7 @@ use super::page_items::typed_files;
 use builder::Files;
 use std::sync::LazyLock;
 
-/// The files that a reader types, keyed by path. They come from the folders `steps` (the five
+/// The files that a reader types, keyed by path. The files come from the folders `steps` (the five
 /// crates and their rustfmt settings), `book/reader` and `book/typed`.
 pub static SOURCE_FILES: LazyLock<Files> = LazyLock::new(|| {
     let in_workspace = |(path, bytes)| (format!("steps/{path}"), bytes);
@@ -28,7 +28,7 @@ fn every_line_of_every_file_is_listed_once() {
             let equal_count = pairs.take_while(|(line, listed)| line == listed).count();
             let line = equal_count + 1;
             faults.push(format!(
-                "The pages' listings of {path} differ from the file from line {line} on."
+                "From line {line} on, the pages' listings of {path} differ from the file."
             ));
         }
     }

@@ -14,7 +14,7 @@ use std::path::PathBuf;
 /// An edit that a page asks the reader to make before a command. Before the next command, the files
 /// are written again, which undoes the edit.
 struct Edit {
-    /// How the line of that command ends. The line starts with the prompt `$ `.
+    /// The end of the command's line. The line begins with the prompt `$ `.
     command_end: &'static str,
     file: &'static str,
     old: &'static str,
@@ -72,8 +72,8 @@ fn commands_do_what_their_pages_say() -> Result<()> {
     Ok(())
 }
 
-/// Whether a command runs an example that no page has listed yet. Such an example is the reader's
-/// own solution to an exercise.
+/// Whether a command runs an example that isn't among the files typed so far. Such an example is
+/// the reader's own solution to an exercise.
 fn runs_unlisted_example(PageCommand { line, .. }: &PageCommand, typed: &TypedFiles) -> bool {
     line.split_once("--example ").is_some_and(|(_, words)| {
         let file = format!("/examples/{}.rs", words.split(' ').next().unwrap_or_default());
@@ -98,7 +98,7 @@ fn run_and_list_verified_pictures(
             reader.write_if_changed(file, &text.replace(old, new))?;
         }
     }
-    // A release build would take minutes, and so would a benchmark.
+    // Avoid release builds and benchmarks, because either would take minutes.
     let line = command.line.replace("cargo bench", "cargo build").replace(" --release", "");
     let location = format!("At {}, {}", command.location, command.line);
     let (code, text) = reader.run_command(&["bash", "-c", &line], "1")?;

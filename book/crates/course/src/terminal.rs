@@ -1,7 +1,7 @@
 //! Recognises characters that have to be escaped in a terminal.
 
-/// Whether a terminal would act on `c` instead of showing it. This includes characters that change
-/// the direction of text.
+/// Whether a terminal would act on `c` instead of showing it. Such characters include the
+/// separators of lines and paragraphs, and the characters that change the direction of text.
 pub fn is_terminal_control(c: char) -> bool {
     let separates_or_changes_direction = matches!(
         c,

@@ -1,6 +1,7 @@
-//! The texts that make up the list of mistakes. Native programs contain these texts. The pages'
-//! modules don't: otherwise, they would have to be compiled again whenever the list is edited.
-//! Instead, a page loads the texts and provides them to its module.
+//! The text files of the mistakes: a list for each step, and a table. A native program contains the
+//! texts of these files. The module that a page loads doesn't contain the texts. Otherwise, the
+//! module would have to be compiled again after every edit of a list. Instead, the page loads the
+//! texts and provides them to the module.
 
 use crate::Step;
 use std::iter;
@@ -24,10 +25,10 @@ const INCLUDED: MistakeFiles = MistakeFiles {
 
 static PROVIDED: OnceLock<MistakeFiles> = OnceLock::new();
 
-/// The list of mistakes and its table, as text.
+/// The texts of the mistakes' files.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MistakeFiles {
-    /// The list for each step.
+    /// The list of mistakes for each step.
     pub lists: [&'static str; STEP_COUNT],
     /// The table with the hashes of the pictures that the mistakes produce.
     pub table: &'static str,
@@ -49,12 +50,13 @@ impl MistakeFiles {
     }
 }
 
-/// Returns the texts. In a page's module, returns None until the page has provided them.
+/// Returns the texts. In the module that a page loads, returns None until the page has provided the
+/// texts.
 pub fn mistake_files() -> Option<&'static MistakeFiles> {
     if cfg!(target_arch = "wasm32") { PROVIDED.get() } else { Some(&INCLUDED) }
 }
 
-/// Provides a page's module with the joined texts. Only the first call has an effect.
+/// Gives the joined texts to the module that a page loads. Only the first call has an effect.
 pub fn provide_mistake_files(joined: &str) {
     PROVIDED.get_or_init(|| MistakeFiles::split(String::from(joined).leak()));
 }

@@ -1,9 +1,9 @@
 //! The list of mistakes that readers make. It consists of one text file per step, in the folder
 //! `mistakes` of this package.
 //!
-//! Blank lines separate a file into blocks, and nearly every block describes a mistake. The first
-//! line of such a block is the mistake's title. Each of its other lines starts with a mark that
-//! says what the line contains:
+//! Blank lines separate each file into blocks, and nearly every block describes a mistake. The
+//! first line of such a block is the mistake's title. Every other line of the block starts with a
+//! mark that says what the line contains:
 //!
 //! - `-`: the right code,
 //! - `+`: the wrong code that readers write instead.
@@ -15,8 +15,8 @@
 //!
 //! If the book shows a mistake, the mistake's block has four more kinds of lines:
 //!
-//! - `!`: the name of a picture, followed by the name of a step if a later step than the file's
-//!   draws the picture; a block may have several of these lines,
+//! - `!`: the name of a picture, and the name of the step that draws the picture if this isn't the
+//!   file's step but a later step; a block may have several such lines,
 //! - `?`: why the code is wrong,
 //! - `/`: the section to read again,
 //! - `"`: what the picture shows.
@@ -25,7 +25,8 @@ use crate::{Step, mistake_files};
 use std::sync::OnceLock;
 use thiserror::Error;
 
-/// A mistake that readers make: the right code in a file, and what they write instead.
+/// A mistake that readers make: the right code in a file, and the wrong code that readers write
+/// instead.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mistake {
     /// A short description.
@@ -38,39 +39,40 @@ pub struct Mistake {
     pub old: String,
     /// The wrong code that readers write instead.
     pub new: String,
-    /// How the book shows the mistake, or None if it doesn't.
+    /// How the book shows the mistake. None if the book doesn't show the mistake.
     pub shown: Option<ShownMistake>,
 }
 
 /// How the book shows a mistake.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ShownMistake {
-    /// The pictures of the mistake, at least one.
+    /// The pictures that show the mistake. There is at least one.
     pub pictures: Vec<MistakePicture>,
     /// A sentence that says why the code is wrong, or what would be right.
     pub reason: &'static str,
-    /// The heading of the section to read again, in a chapter about the mistake's step.
+    /// The heading of the section that the reader should read again. This section is in a chapter
+    /// about the mistake's step.
     pub section: &'static str,
     /// A sentence about what the picture shows.
     pub effect: &'static str,
 }
 
-/// A picture in the book that shows a mistake.
+/// One of the book's pictures of a mistake.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct MistakePicture {
-    /// The name: lower-case words joined by `-`.
+    /// The picture's name: lower-case words joined by `-`.
     pub name: &'static str,
     /// The step that draws this picture if the mistake is made.
     pub step: Step,
 }
 
-/// Returns all mistakes, in the order of the lists. The lists are parsed only once. In a page's
-/// module, there are no mistakes until the page has provided the lists.
+/// Returns all mistakes, in the order of the lists. The lists are parsed only once. In the module
+/// that a page loads, this function returns an empty slice until the page has provided the lists.
 ///
 /// # Panics
 ///
-/// Panics if a line in the lists can't be parsed. The lists are part of the project, so its tests
-/// rule that out.
+/// Panics if a line in the lists can't be parsed. The lists are part of the project, and the
+/// project's tests parse all of them.
 pub fn mistakes() -> &'static [Mistake] {
     match parse_mistake_lists() {
         Ok(mistakes) => mistakes,
@@ -99,14 +101,14 @@ pub struct MistakeListError {
     fault: MistakeListFault,
 }
 
-/// What is wrong with a line.
+/// What is wrong with a line in the lists.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 enum MistakeListFault {
     #[error("a line with `@` names a file, and needs blank lines around it")]
     File,
     #[error("a mistake needs a line `@ FILE` above it")]
     NoFile,
-    #[error("a mistake needs a title, and below it lines with `-` and with `+`")]
+    #[error("a mistake needs lines with `-` and lines with `+` below its title")]
     NoCode,
     #[error("a line below a title begins with `-`, `+`, `!`, `?`, `/` or `\"`, and a space")]
     UnknownMark,
@@ -114,14 +116,14 @@ enum MistakeListFault {
     UnknownStep(&'static str),
     #[error("the mistake already has a line with `{0}`")]
     Twice(char),
-    #[error("a mistake needs lines with all four of `!`, `?`, `/` and `\"`, or with none of them")]
+    #[error("a mistake needs all four of the marks `!`, `?`, `/` and `\"`, or none of them")]
     NotShown,
 }
 
-/// A line in a list, with its line number in front.
+/// The number of a line in a list, and the line's text.
 type NumberedLine = (usize, &'static str);
 
-/// Parses a step's list.
+/// Parses the list of mistakes in a step.
 fn parse_list(step: Step, list: &'static str) -> Result<Vec<Mistake>, MistakeListError> {
     let mut mistakes = vec![];
     let mut file = None;
@@ -162,7 +164,7 @@ struct MarkedLines {
 
 impl MarkedLines {
     fn add_line(&mut self, step: Step, line: &'static str) -> Result<(), MistakeListFault> {
-        // If a line of code is empty, the mark has no space after it.
+        // For an empty line of code, the mark stands alone, without a space.
         let (mark, words) = line.split_once(' ').unwrap_or((line, ""));
         match mark {
             "-" => self.old.push(words),
@@ -197,8 +199,8 @@ impl MarkedLines {
     }
 }
 
-/// Stores the words of a line whose mark may occur only once per mistake. Returns an error if the
-/// mark has already occurred.
+/// Stores the words of a line whose mark may occur only once per mistake. Returns an error if an
+/// earlier line has the same mark.
 fn set_once(
     line: &mut Option<&'static str>,
     mark: char,
@@ -210,7 +212,7 @@ fn set_once(
     }
 }
 
-/// Parses `NAME` or `NAME STEP`.
+/// Parses the words of a line with `!`: `NAME` or `NAME STEP`.
 fn parse_picture(
     default_step: Step,
     words: &'static str,
@@ -228,14 +230,15 @@ impl Mistake {
         self.shown.as_ref().map(|shown| &*shown.pictures).unwrap_or_default()
     }
 
-    /// The address of the section to read again, such as `step01_rays.html#the-camera` if the files
-    /// of chapters have the extension `html`. None if the book doesn't show the mistake.
+    /// Returns the address of the section that the reader should read again, such as
+    /// `step01_rays.html#the-camera`. `extension` is the extension of the chapters' files. Returns
+    /// None if the book doesn't show the mistake.
     pub fn section_address(&self, extension: &str) -> Option<String> {
         let heading = self.shown.as_ref()?.section;
         let is_of_program = self.file.ends_with("/program.rs");
         let chapter = if is_of_program { "step01_program" } else { self.step.name() };
-        // Change only ASCII letters: Unicode's tables would make the module for `check` a twentieth
-        // larger.
+        // Convert only ASCII letters to lower case: Unicode's tables would make the WebAssembly
+        // module `check` a twentieth larger.
         let id = heading.to_ascii_lowercase().replace(' ', "-");
         let id: String = id.chars().filter(|c| c.is_ascii_alphanumeric() || *c == '-').collect();
         Some(format!("{chapter}.{extension}#{id}"))
@@ -254,9 +257,9 @@ impl Mistake {
         old.chain(new).collect::<Vec<_>>().join("\n")
     }
 
-    /// Strips the indentation from `file_text`, the text of the mistake's file, and applies the
-    /// mistake. If the right code doesn't occur exactly once in `file_text`, the error is the
-    /// number of occurrences.
+    /// Strips the indentation of every line of `file_text`, then replaces the right code with the
+    /// wrong code. `file_text` is the text of the mistake's file. If the right code doesn't occur
+    /// exactly once in `file_text`, the error is the number of occurrences.
     pub fn apply_and_strip_indentation(&self, file_text: &str) -> Result<String, usize> {
         let (file_text, old) =
             (trim_start_of_each_line(file_text), trim_start_of_each_line(&self.old));

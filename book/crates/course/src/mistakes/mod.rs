@@ -1,6 +1,6 @@
 //! The mistakes that readers make, each as a diff, and the table with the hashes of the pictures
-//! that these mistakes produce. Both are kept as text files in the folder `mistakes` of this
-//! package.
+//! that these mistakes produce. The mistakes and the table are kept as text files in the folder
+//! `mistakes` of this package.
 
 mod files;
 mod mistake;

@@ -5,13 +5,13 @@
 //!
 //! The table is `table.txt`, which `cargo xtask` writes. All its hashes are hexadecimal.
 //!
-//! - `= NAME HASH` is the name of a right picture, and the hash of its pixels.
-//! - `! NAME` is the name of a small picture. This picture shows what a wrong program draws instead
-//!   of the right picture that the nearest line with `=` above names.
+//! - `= NAME HASH` is the name of a right picture, and the picture's hash.
+//! - `! NAME` is the name of a small picture. The small picture shows what a wrong program draws.
+//!   The nearest line with `=` above names the picture that the program should have drawn.
 //! - `KEY HASH HASH …` is the row of a mistake. The key is a hash of everything that the mistake's
-//!   pictures depend on. The other hashes are those of the pictures that the mistake's step and all
-//!   later steps draw with the mistake. If such a picture is right in spite of the mistake, or
-//!   can't be drawn, `-` takes the place of its hash.
+//!   pictures depend on. After the key, there is a hash for the mistake's step and for each later
+//!   step: the hash of the picture that the step draws with the mistake. If that picture is right
+//!   in spite of the mistake, or can't be drawn, `-` takes the place of the hash.
 
 use crate::{Mistake, Step, mistake_files, mistakes};
 use image::imageops::{crop_imm, thumbnail};
@@ -36,19 +36,20 @@ pub struct MistakeTable<'a> {
 pub struct RightPicture<'a> {
     /// The name of the picture's snapshot.
     pub name: &'a str,
-    /// The hash of its pixels.
+    /// The picture's hash.
     pub hash: u64,
-    /// The names of the small pictures that show what wrong programs draw instead.
+    /// The names of the small pictures that show what wrong programs draw instead of this picture.
     pub small_pictures: Vec<&'a str>,
 }
 
 /// A mistake's row in the table.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TableRow {
-    /// A hash of everything that the mistake's pictures depended on when they were drawn.
+    /// A hash of everything that the mistake's pictures depended on when the pictures were drawn.
     pub key: u32,
-    /// The hashes of the pictures that the mistake's step and all later steps draw with the
-    /// mistake. A hash is None if the picture is right in spite of the mistake, or can't be drawn.
+    /// A hash for the mistake's step and for each later step: the hash of the picture that the step
+    /// draws with the mistake. A hash is None if the picture is right in spite of the mistake, or
+    /// can't be drawn.
     pub hashes: Vec<Option<u64>>,
 }
 
@@ -63,7 +64,7 @@ pub struct TableError {
 }
 
 impl<'a> MistakeTable<'a> {
-    /// Parses the text that [`Display`] writes.
+    /// Parses a table in the format that [`Display`] writes.
     pub fn parse(text: &'a str) -> Result<Self, TableError> {
         let mut table = Self::default();
         for (index, line) in text.lines().enumerate() {
@@ -120,12 +121,13 @@ impl Display for MistakeTable<'_> {
     }
 }
 
-/// Returns the checked-in table, which is parsed only once. In a page's module, the table is empty
-/// until the page has provided the texts.
+/// Returns the checked-in table, which is parsed only once. In the module that a page loads, the
+/// table is empty until the page has provided the files.
 ///
 /// # Panics
 ///
-/// Panics if a line can't be read. This would be a bug in the project: no input can cause it.
+/// Panics if a line can't be read. Only a bug in the project can cause this, because the table is
+/// part of the project.
 pub fn mistake_table() -> &'static MistakeTable<'static> {
     static EMPTY: MistakeTable = MistakeTable { right_pictures: vec![], rows: vec![] };
     static TABLE: OnceLock<MistakeTable> = OnceLock::new();
@@ -162,8 +164,8 @@ pub fn hashes_of_right_pictures() -> impl Iterator<Item = (&'static str, u64)> {
 /// the picture that should have been drawn. A mistake that produces the same picture in several
 /// steps is returned once for each of these steps.
 ///
-/// The likeliest mistakes come first: those that the book shows come before all others. Within each
-/// of these two groups, those that change the least code come first.
+/// The likeliest mistakes come first. Mistakes that the book shows come before mistakes that the
+/// book doesn't show. Within each group, mistakes that change the least code come first.
 pub fn find_mistakes_with_hash(hash: u64) -> Vec<(&'static Mistake, &'static str)> {
     let mut mistakes_and_names: Vec<_> = mistakes_and_their_rows()
         .flat_map(|(mistake, row)| {
@@ -185,7 +187,7 @@ pub fn names_of_right_pictures() -> Vec<&'static str> {
     hashes_of_right_pictures().map(|(name, _)| name).collect()
 }
 
-/// The number of columns and rows of a small picture.
+/// The numbers of columns and rows of a small picture.
 pub const SMALL_SIZE: [u32; 2] = [320, 180];
 
 /// Scales a picture down to a small picture.

@@ -2,7 +2,7 @@
 
 use image::{Rgb, RgbImage};
 
-/// Describes in one sentence how a new picture differs from the locked one. Returns None if all
+/// Describes in one sentence how a new picture differs from the locked picture. Returns None if all
 /// pixels are equal.
 pub fn describe_difference(locked: &RgbImage, new: &RgbImage) -> Option<String> {
     let ((w, h), (new_w, new_h)) = (locked.dimensions(), new.dimensions());

@@ -10,8 +10,8 @@ const BLACK: Rgb<u8> = Rgb([0; 3]);
 /// Draws two pictures and their difference, side by side.
 ///
 /// In the third panel, equal pixels are dark grey. A pixel that differs is blue if the first
-/// picture is darker there, and orange otherwise; the larger the difference, the brighter the
-/// colour. If the pictures have different sizes, missing pixels are black.
+/// picture is darker at this pixel, and orange otherwise. The larger the difference, the brighter
+/// the colour. If the pictures have different sizes, missing pixels are black.
 pub fn draw_with_difference(first: &RgbImage, second: &RgbImage) -> RgbImage {
     let width = first.width().max(second.width());
     let height = first.height().max(second.height());
@@ -26,8 +26,8 @@ pub fn draw_with_difference(first: &RgbImage, second: &RgbImage) -> RgbImage {
     })
 }
 
-/// The colour in the third panel of a pixel that has the colour `a` in the first picture and the
-/// colour `b` in the second.
+/// The colour of a pixel in the third panel. The pixel has the colour `a` in the first picture, and
+/// the colour `b` in the second picture.
 fn difference_colour(a: &Rgb<u8>, b: &Rgb<u8>) -> Rgb<u8> {
     let sum = |colour: &Rgb<u8>| colour.0.iter().map(|c| u32::from(*c)).sum::<u32>();
     let strength = 120 + u32::from(largest_channel_difference(a, b)) * 135 / 255;

@@ -5,16 +5,16 @@ use crate::hash::fnv_1a;
 use glam::DVec3;
 use step05_phong::{Light, Material, Matte, OBJECTS, Scene, scene};
 
-/// The objects' names, in the order of `OBJECTS`. They don't mention colours, because the colours
-/// vary from scene to scene.
+/// The objects' names, in the order of `OBJECTS`. The names don't mention colours, because the
+/// colours vary from scene to scene.
 const NAMES: [&str; OBJECTS.len()] =
     ["ball 1", "ground", "ball 2", "ball 3", "ball 4", "ball 5", "ball 6", "ball 7", "ball 8"];
 
 /// Generates the scene that belongs to a person's name: the course's scene or its mirror image,
 /// with sizes, colours, highlights and lights chosen by a hash of the name.
 ///
-/// Each ball is at most as large as its counterpart in the course, and has the same lowest point.
-/// So it lies inside that counterpart, and no two balls touch each other.
+/// Each ball is at most as large as its counterpart in the course's scene, and has the same lowest
+/// point. So each ball lies inside its counterpart, and no two balls touch each other.
 ///
 /// Whitespace around the name is ignored, and any whitespace between two words counts as one space.
 /// The caller should convert the name to NFC, Unicode's composed form: in a different form, the
@@ -51,7 +51,8 @@ pub fn generate_scene(person_name: &str) -> Scene<Material, Light> {
     for light in &mut scene.lights {
         light.point_light.position *= side;
     }
-    // The first light is in front of the balls. The second stays behind them, as in the course.
+    // The first light is moved in front of the balls. The second light stays behind the balls, as
+    // in the course's scene.
     let positions = [[4.0, 5.0, -2.0], [3.0, 6.0, -3.0], [5.0, 4.0, -1.0], [2.0, 5.0, -4.0]];
     scene.lights[0].point_light.position = side * DVec3::from_array(positions[choose(4)]);
     let tints = [[1.0, 0.84, 0.64], [0.8, 0.9, 1.0], [1.0, 0.7, 0.8], [0.8, 1.0, 0.75]];

@@ -24,12 +24,12 @@ pub struct OwnScene {
     pub scene: Scene<Material, Light>,
     /// Whether rays are also traced from the surfaces, to draw shadows and reflections.
     pub has_mirrors: bool,
-    /// For each object, `k`: the fraction of the object's colour that is a reflection.
+    /// The number `k` of each object: the fraction of the object's colour that is a reflection.
     pub mirror_parts: Vec<f64>,
 }
 
 impl OwnScene {
-    /// The scene as seen by the camera of the five steps, without shadows or mirrors.
+    /// Combines a scene with the camera of the five steps, without shadows or mirrors.
     pub fn new(scene: Scene<Material, Light>) -> Self {
         Self {
             fov_degrees: FOV_DEGREES,

@@ -6,16 +6,16 @@ use crate::{OwnScene, Step};
 use glam::DVec3;
 use step05_phong::Matte;
 
-/// One number in a scene, such as a radius, or three that belong together, such as those of a
-/// position.
+/// One number in a scene, such as a radius, or three numbers that belong together, such as the
+/// coordinates of a position.
 #[derive(Debug)]
 pub struct Quantity {
-    /// The name in a sentence, to be followed by "of" and the owner.
+    /// The name as it appears in a sentence, such as "the radius" in "the radius of the ground".
     pub name: &'static str,
     /// The kind of thing that has this quantity.
     pub owner: Owner,
-    /// The values that a reader of the steps may type for the quantity. None if the quantity is in
-    /// no step's source.
+    /// The values that a reader may type for the quantity in a step's code. None if no step's code
+    /// contains the quantity.
     pub typed: Option<TypedRange>,
     /// The quantity's one number or three numbers.
     pub scalars: &'static [Scalar],
@@ -34,14 +34,14 @@ pub enum Owner {
     Light,
 }
 
-/// The values that a reader may type for a quantity.
+/// The values that a reader may type for a quantity in a step's code.
 #[derive(Clone, Copy, Debug)]
 pub struct TypedRange {
-    /// The first step whose source contains the quantity.
+    /// The first step whose code contains the quantity.
     pub first_step: Step,
     /// The smallest and the largest value that somebody may plausibly type.
     pub range: [i32; 2],
-    /// The number of steps from one integer to the next, such as 100 for values with two decimals.
+    /// How many increments make 1, such as 100 for values with two decimals.
     pub steps_per_unit: i32,
 }
 
@@ -57,16 +57,17 @@ pub struct Scalar {
     pub unit: &'static str,
     /// The smallest and the largest value that a page offers for every owner except the ground.
     range: [f64; 2],
-    /// The range for the ground, if it differs from `range`. The ground is the largest sphere.
+    /// The range if the owner is the ground, which is the largest sphere. None if the ground has
+    /// the same range as all other owners.
     ground_range: Option<[f64; 2]>,
-    /// The number of steps from one integer to the next in a page's control.
+    /// How many increments of the page's control make 1.
     pub steps_per_unit: f64,
     /// Whether the number has an effect only in a scene with shadows and mirrors.
     pub needs_mirrors: bool,
-    /// The axis or channel, if this number belongs to the position or colour of the owner. A page's
-    /// handles and its colour field find the number by this component. None for all other numbers,
-    /// such as the coordinates of the camera's position and target, and the channels of a
-    /// highlight's colour.
+    /// The axis, if this number is a coordinate of an object or a light. The channel, if this
+    /// number belongs to a colour, except for the colour of a highlight. None for all other
+    /// numbers, such as the camera's coordinates. A page's handles and its colour field find their
+    /// numbers by this component.
     pub component: Option<Component>,
     property: Property,
     /// The index of the axis or channel if the property has three numbers, and 0 otherwise.
@@ -98,7 +99,7 @@ impl Component {
 }
 
 /// The index of the ground in the steps' list of objects. Scenes that are made from this list keep
-/// its order.
+/// the order of the objects.
 pub const GROUND: usize = 1;
 
 /// Which property of an [`OwnScene`] a number belongs to.
@@ -124,12 +125,15 @@ enum Property {
 }
 
 impl Scalar {
-    /// The smallest and the largest value that a page offers for the owner with index `owner_index`.
+    /// The smallest and the largest value that a page offers for this number. `owner_index` is the
+    /// index of the object or light that has the number. For any other owner, the index has no
+    /// effect.
     pub fn range_for_owner(&self, owner_index: usize) -> [f64; 2] {
         self.ground_range.filter(|_| owner_index == GROUND).unwrap_or(self.range)
     }
 
-    /// Reads the number from the owner with index `owner_index`.
+    /// Reads the number from `own`. `owner_index` is the index of the object or light that has the
+    /// number.
     pub fn get(&self, own: &OwnScene, owner_index: usize) -> f64 {
         let (scene, axis) = (&own.scene, self.axis);
         match self.property {
@@ -154,7 +158,8 @@ impl Scalar {
         }
     }
 
-    /// Sets the number in the owner with index `owner_index`.
+    /// Sets the number in `own`. `owner_index` is the index of the object or light that has the
+    /// number.
     pub fn set(&self, own: &mut OwnScene, owner_index: usize, value: f64) {
         let (scene, axis) = (&mut own.scene, self.axis);
         match self.property {
@@ -325,7 +330,8 @@ const LIGHT_COLOUR: TypedRange =
 const HIGHLIGHT_COLOUR: TypedRange =
     TypedRange { first_step: Step::Phong, range: [0, 5], steps_per_unit: 100 };
 
-/// A number without a unit, with the same range for every owner, and with an effect in every scene.
+/// Makes a number that has no unit, has the same range for every owner, and has an effect in every
+/// scene.
 const fn scalar(
     property: Property,
     symbol: &'static str,
@@ -347,7 +353,7 @@ const fn scalar(
     }
 }
 
-/// The three coordinates of a position, in steps of a hundredth.
+/// The three coordinates of a position, in increments of 0.01.
 const fn xyz(
     property: Property,
     [right, up, back]: [&'static str; 3],
@@ -381,7 +387,7 @@ const fn colour(property: Property, max: f64) -> [Scalar; 3] {
     ]
 }
 
-/// The three channels of a colour, each from 0 to `max` in steps of a hundredth.
+/// The three channels of a colour, each from 0 to `max` in increments of 0.01.
 const fn rgb(property: Property, [red, green, blue]: [&'static str; 3], max: f64) -> [Scalar; 3] {
     let range = [0.0, max];
     with_axes([
@@ -391,12 +397,12 @@ const fn rgb(property: Property, [red, green, blue]: [&'static str; 3], max: f64
     ])
 }
 
-/// Assigns the three numbers of a property to its three axes.
+/// Gives the three numbers of a property the axes 0, 1 and 2.
 const fn with_axes([x, y, z]: [Scalar; 3]) -> [Scalar; 3] {
     [x, Scalar { axis: 1, ..y }, Scalar { axis: 2, ..z }]
 }
 
-/// Sets the numbers' ranges for the ground.
+/// Sets the ranges that these numbers have if the owner is the ground.
 const fn with_ranges_for_ground<const N: usize>(
     mut scalars: [Scalar; N],
     ranges: [[f64; 2]; N],
@@ -444,7 +450,8 @@ mod tests {
             [radius.range_for_owner(0), radius.range_for_owner(GROUND)],
             [[0.05, 3.0], [10.0, 60.0]]
         );
-        // A light whose index happens to be the ground's has the same range as every other light.
+        // Only objects have a ground. A light with the index `GROUND` has the same range as the
+        // other lights.
         for scalar in all_scalars().filter(|scalar| scalar.ground_range.is_none()) {
             assert_eq!(scalar.range_for_owner(GROUND), scalar.range);
         }

@@ -3,8 +3,8 @@
 use crate::{Step, workspace};
 
 /// Returns the `[dependencies]` section of a generated program that contains copies of the steps.
-/// It lists the libraries that these copies use, and the original steps. All versions are `*`: a
-/// copy of our Cargo.lock comes with the program, and pins them.
+/// The section lists the original steps, and the libraries that the copies use. All versions are
+/// `*`: a copy of our Cargo.lock comes with the program, and pins the versions.
 pub fn dependencies_of_step_copies() -> String {
     let mut dependencies = r#"
 [dependencies]

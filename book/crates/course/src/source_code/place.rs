@@ -1,13 +1,13 @@
 //! The places: expressions in the steps' source code that a reader may edit on a page. They are
 //! listed in `places.txt`.
 //!
-//! A line `@ FILE` names the file that contains the places below it. If that file imports `DVec3`,
-//! the line is `@ FILE uses DVec3`.
+//! A line `@ FILE` names the source file of the places that follow. If the source file imports
+//! `DVec3`, the line is `@ FILE uses DVec3`.
 //!
-//! A place starts with a line such as `a: f64 = v.dot(v)`, which consists of the place's name, the
-//! type of its value, and the book's code. There are two kinds of indented lines below it:
+//! The first line of a place, such as `a: f64 = v.dot(v)`, consists of the place's name, the type
+//! of the value, and the book's code. Two kinds of indented lines may follow the first line:
 //!
-//! - `TYPE NAME; NAME; …` lists variables of one type that a reader's expression may use there.
+//! - `TYPE NAME; NAME; …` lists variables of this type that a reader's expression may use.
 //! - `note: …` says what the surrounding code does with the value.
 //!
 //! Lines that start with `#` are comments.
@@ -40,7 +40,7 @@ pub struct Place {
     pub notes: Vec<PlaceNote>,
 }
 
-/// The Rust type of an edited expression, or of a part of it.
+/// The Rust type of an edited expression, or of a part of such an expression.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ValueType {
     /// `f64`.
@@ -88,10 +88,10 @@ pub enum PlaceNote {
     /// The step's picture shows whether a ray hits the ball, but not at which `t`. So an edit that
     /// changes only `t` is visible only in the pictures of later steps.
     OnlyMovesHit,
-    /// Nothing follows the expression on its line, so a reader may add a comment.
+    /// Nothing follows the expression on the same line, so a reader may add a comment.
     EndsLine,
     /// Nothing follows the expression on its line or in its block. So a reader may add a comment
-    /// after it, and `let` statements before it.
+    /// after the expression, and `let` statements before the expression.
     EndsBlock,
 }
 
@@ -146,8 +146,8 @@ fn parse_places(text: &'static str) -> Result<Vec<Place>, PlaceListError> {
     Ok(places)
 }
 
-/// Parses the first line of a place, such as `a: f64 = v.dot(v)`. `file` is the text after the
-/// nearest `@` above.
+/// Parses the first line of a place, such as `a: f64 = v.dot(v)`. `file` is what follows `@ ` in
+/// the line that names the place's file.
 fn parse_first_line_of_place(
     index: usize,
     file: &'static str,
@@ -173,7 +173,7 @@ fn parse_type(name: &'static str) -> Result<ValueType, PlaceListFault> {
 }
 
 impl Place {
-    /// Finds the place's code in `text`, even if that code is broken across lines there.
+    /// Finds the place's code in `text`, where the code may be broken across lines.
     pub fn find_range(&self, text: &str) -> Result<Range<usize>, OccurrenceError> {
         let Self { name, file, code, .. } = *self;
         let first = code.split(' ').next().unwrap_or_default();
@@ -191,7 +191,7 @@ impl Place {
         }
     }
 
-    /// Adds the variables or the note from an indented line below the place.
+    /// Adds to the place the variables or the note in `line`, an indented line of the list.
     fn add_variables_or_note(&mut self, line: &'static str) -> Result<(), PlaceListFault> {
         if let Some(words) = line.strip_prefix("note: ") {
             let note = PlaceNote::ALL.into_iter().find(|note| note.text_in_list() == words);

@@ -1,7 +1,8 @@
-//! The steps' pictures and examples as a library. The examples are the programs that the chapters
-//! run along the way, and the solutions to the exercises.
+//! The steps' examples as a library, and a list of all pictures that a step or an example draws.
+//! The examples are the programs that the chapters run along the way, and the solutions to the
+//! exercises.
 
-#![allow(dead_code, reason = "only the example's own program calls its `main`")]
+#![allow(dead_code, reason = "an example's `main` is called only if the example runs as a program")]
 #![allow(clippy::duplicate_mod, reason = "`crowd` also declares the module `mirror`")]
 #![allow(missing_docs, reason = "each example says at its top what it draws")]
 
@@ -9,16 +10,15 @@ use crate::Step;
 use image::RgbImage;
 use step01_rays::Camera;
 
-/// A function that draws a picture with a camera. Each pixel is split into n×n sub-pixels, where n
-/// is the number that the function takes.
+/// A function that draws what a camera sees. Its second argument is a number n: the function splits
+/// each pixel into n×n sub-pixels.
 pub type DrawPicture = fn(&Camera, u32) -> RgbImage;
 
-/// Declares each example as a module. rustfmt doesn't see these modules, because a macro declares
-/// them. That is just as well: the examples are formatted with the steps, whose lines are shorter
-/// than ours.
+/// Declares each example as a module. The macro hides the modules from rustfmt. Otherwise, rustfmt
+/// would format the examples with our settings instead of the steps'.
 ///
-/// Also defines the macro `with_picture_names`. Tests use it to declare a test function for each
-/// picture, which is impossible with a constant: only a macro can turn a name into a function.
+/// Also defines the macro `with_picture_names`, with which tests declare a test function for each
+/// picture. A constant wouldn't do, because only a macro can turn a name into a function.
 macro_rules! examples {
     ($dollar:tt
         pictures { $($name:ident: $path:literal => $draw:expr,)* }
@@ -27,8 +27,8 @@ macro_rules! examples {
         $(#[path = $path] pub mod $name;)*
         $(#[path = $other_path] pub mod $other;)*
 
-        /// Every picture by name: first those of the five steps, then those of the examples, in the
-        /// order of their steps.
+        /// The name of every picture, and the function that draws the picture. The five steps'
+        /// pictures come first. The examples' pictures follow, in the order of the steps.
         pub const PICTURES: &[(&str, DrawPicture)] = &[
             ("step01_rays", step01_rays::picture),
             ("step02_sphere", step02_sphere::picture),
@@ -38,7 +38,7 @@ macro_rules! examples {
             $((stringify!($name), $draw),)*
         ];
 
-        /// Calls a macro with the names of [`PICTURES`].
+        /// Calls a macro with the names of all [`PICTURES`].
         #[macro_export]
         macro_rules! with_picture_names {
             ($dollar callback:ident) => {
@@ -50,8 +50,8 @@ macro_rules! examples {
     };
 }
 
-// Lists each example with its path. For an example in `pictures`, the path is followed by the
-// function that draws the example's locked picture.
+// Lists each example with its path. In `pictures`, each path is followed by the function that draws
+// the example's locked picture.
 examples! {
     $
     pictures {

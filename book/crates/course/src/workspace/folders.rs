@@ -5,7 +5,8 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 /// The WebAssembly modules that pages load: `live` draws the interactive figures, `check` examines
-/// a reader's picture, and `expressions` draws the pictures of a reader's edited lines.
+/// a reader's picture, and `expressions` draws the picture that results from the lines that a
+/// reader has edited.
 pub const WASM_MODULES: [&str; 3] = ["live", "check", "expressions"];
 
 /// The root folder of the project, even if the folder was moved after this program was built.
@@ -23,8 +24,9 @@ pub fn workspace() -> PathBuf {
     folder.unwrap_or(compiled).to_owned()
 }
 
-/// The target folder that contains this program. We recognise it by CACHEDIR.TAG, which Cargo puts
-/// there. If the program was copied out of its target folder, we return `target` in the workspace.
+/// The target folder that contains this program. We recognise the folder by the file CACHEDIR.TAG,
+/// which Cargo puts into every target folder. If the program was copied out of its target folder,
+/// we return `target` in the workspace.
 pub fn target_folder() -> PathBuf {
     let program = env::current_exe().unwrap_or_default();
     let mut around = program.ancestors();

@@ -7,9 +7,9 @@ use std::{fs, io, process};
 /// The number of calls of `replace_file` so far, which makes each draft's name unique.
 static COUNT: AtomicU32 = AtomicU32::new(0);
 
-/// Replaces a file atomically: writes a draft beside it, then renames the draft. If either of these
-/// fails, the old file is untouched. No other program ever sees a half-written file. If `path` is a
-/// symbolic link, replaces the link itself, not the file that it points to.
+/// Replaces a file atomically: writes a draft beside the file, then renames the draft. If writing
+/// or renaming fails, the old file stays as it was. No other program ever sees a half-written file.
+/// If `path` is a symbolic link, replaces the link itself, not the file that the link points to.
 pub fn replace_file(path: &Path, bytes: &[u8]) -> io::Result<()> {
     let number = COUNT.fetch_add(1, Ordering::Relaxed);
     // The draft's name doesn't contain the file's name, which may already be as long as the system
