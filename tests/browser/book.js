@@ -12,7 +12,7 @@ const read = name => readFileSync(join(folder, name), 'utf8');
 // without scripts.
 export const pages = readdirSync(folder).filter(name => /\.html$/.test(name) && !/^(404|toc)\./.test(name));
 
-// All pages except those that only repeat other pages: the first page, and the page for printing.
+// All pages except the first page and the page for printing, which only repeat other pages.
 export const chapters = pages.filter(name => !/^(index|print)\./.test(name));
 
 // Finds a pattern in all chapters. For each match, returns the page, the text of the pattern's

@@ -1,4 +1,4 @@
-// The form that checks pictures tells a right picture from a wrong one.
+// The form that checks pictures tells a right picture from a wrong picture.
 import { forms, picture } from './book.js';
 import { expect, open, test } from './fixtures.js';
 

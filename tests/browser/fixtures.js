@@ -1,8 +1,8 @@
 // Playwright's `test`, with two fixtures:
 //
 // - `home` is the address of the book.
-// - `page` is a page of a browser. The test fails if the page asks for anything outside the book,
-//   if the browser reports an error, or if the Content-Security-Policy forbids something.
+// - `page` is a page of a browser. The test fails if the page requests anything from outside the
+//   book, if the browser reports an error, or if the Content-Security-Policy forbids something.
 import { test as base, expect } from '@playwright/test';
 import { pathToFileURL } from 'node:url';
 import { folder } from './book.js';
@@ -10,7 +10,7 @@ import { serve } from './server.js';
 
 export { expect };
 
-// Firefox reports this if it lays out a formula before it has received all of the formula.
+// Firefox reports this error if it lays out a formula before it has received the whole formula.
 const HARMLESS = /Incorrect number of children for <m/;
 
 export const test = base.extend({

@@ -5,7 +5,8 @@ import { join } from 'node:path';
 import { chapters, pages } from './book.js';
 import { expect, open, test } from './fixtures.js';
 
-// Opens a page, opens all folded boxes on it, and lays out even the parts far below the window.
+// Opens a page, opens all folded boxes on the page, and lays out even the parts far below the
+// window.
 async function openAll(page, address) {
   await open(page, address);
   await page.evaluate(() => {

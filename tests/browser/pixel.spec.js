@@ -4,7 +4,7 @@ import { expect, makeReady, open, test } from './fixtures.js';
 
 test('a link that names a pixel selects this pixel, and Back returns to the link', async ({ page, home }) => {
   await open(page, `${home}step03_nearest.html`);
-  // Lay out all of the page, as if the reader had scrolled down through it.
+  // Lay out all of the page, as if the reader had scrolled through the page.
   await page.locator('main > *').evaluateAll(parts => parts.forEach(part => { part.style.contentVisibility = 'visible'; }));
   const figure = page.locator('figure[data-live="step03_nearest"]');
   const link = page.locator('a[href$="#pixel=195,237"]').first();

@@ -74,7 +74,7 @@ test('keys open the search box, a click outside closes the box, and the query is
     await expect(box, key).toBeVisible();
   }
   // A click inside the search box leaves the box open. So does a selection that begins inside the
-  // box and ends outside.
+  // box and ends outside the box.
   const { x, y, width, height } = await box.boundingBox();
   await page.mouse.click(x + 5, y + 100);
   const field = await page.locator('#search-field').boundingBox();

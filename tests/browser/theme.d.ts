@@ -58,7 +58,7 @@ interface Book {
    * Colours a listing once the script for colouring has loaded, unless the listing is being edited.
    */
   colour(code: Element): void;
-  /** For each preview that was pressed before it was ready: the last press. */
+  /** For each preview that was pressed before the preview was ready: the last press. */
   presses: Map<Element, PointerEvent>;
   /** A history of states, for undo and redo. */
   History: new <State>(state: State) => UndoHistory<State>;
@@ -103,7 +103,7 @@ interface Book {
 
   /**
    * For each page: its name, its title and its sections. For each section: its id, title, prose and
-   * listings, and the phrases by which readers look for it.
+   * listings, and the phrases by which readers look for the section.
    */
   searchIndex: [string, string, [string, string, string, string, string[]][]][];
   /**
@@ -122,8 +122,8 @@ interface UndoHistory<State> {
    */
   record(state: State): void;
   /**
-   * Whether the history has a state this many steps after the current state, or before it if
-   * `steps` is negative.
+   * Whether the history has a state this many steps after the current state, or before the current
+   * state if `steps` is negative.
    */
   has(steps: number): boolean;
   /** Moves by this many steps, and returns the new current state. */
@@ -226,7 +226,8 @@ interface ModuleReplies {
 }
 
 /**
- * The exit code of `check`: 0 if the picture is right, 1 if it isn't, and 2 if it can't be checked.
+ * The exit code of `check`: 0 if the picture is right, 1 if the picture is wrong, and 2 if the
+ * picture can't be checked.
  */
 type ExitCode = 0 | 1 | 2;
 
@@ -284,7 +285,7 @@ interface FigureAbout {
   /** How many columns the figure's picture has at full size. Null if the figure is a drawing. */
   columns: number | null;
   /**
-   * Only for an editable scene: for each object, the ids of the parameters for red, green and blue.
+   * In an editable scene: for each object, the ids of the parameters for red, green and blue.
    */
   colours?: Record<string, string[]>;
 }

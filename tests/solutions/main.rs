@@ -59,8 +59,8 @@ fn perturb_camera(camera: &Camera, neighbour: fn(f64) -> f64) -> Camera {
 
 /// On a different platform, the tangent may have a different last bit. If a reader writes the terms
 /// of a formula in a different order, a number in the camera's matrix may have a different last
-/// bit, too. We skip the picture `speckled`, because it is meant to show rounding errors. Its
-/// camera's tangent is a literal, which is the same on every platform.
+/// bit, too. We skip the picture `speckled`, because this picture is meant to show rounding errors.
+/// The tangent of its camera is a literal, which is the same on every platform.
 #[test]
 #[ignore = "takes a minute: cargo test -- --include-ignored"]
 fn pictures_do_not_depend_on_the_last_bit_of_the_camera() {

@@ -8,7 +8,7 @@ use image::imageops::{FilterType, resize};
 use step01_rays::Camera;
 use step05_phong::*;
 
-/// The name of a locked picture, its camera, and the function that draws it.
+/// A locked picture: its name, its camera, and the function that draws the picture.
 pub type LockedPicture = (&'static str, Camera, DrawPicture);
 
 /// Returns all locked pictures: those of the steps, the exercises and the chapters, and the cover.
@@ -101,8 +101,8 @@ fn draw_mirrors_without_reflections(camera: &Camera, shadow_offset: f64) -> RgbI
     render(camera, 1, |ray| mirror::colour(&scene, ray, 0, shadow_offset))
 }
 
-/// Crops a camera to a rectangle of its picture. `corner` is the rectangle's first column and row.
-/// `h_res` and `v_res` are the rectangle's numbers of columns and rows.
+/// Crops a camera to a rectangle of the camera's picture. `corner` is the rectangle's first column
+/// and row. `h_res` and `v_res` are the rectangle's numbers of columns and rows.
 fn crop_camera(camera: Camera, corner: [f64; 2], [h_res, v_res]: [u32; 2]) -> Camera {
     let crop = DMat3::from_translation(corner.into());
     Camera { h_res, v_res, matrix: camera.matrix * crop, ..camera }

@@ -1,6 +1,6 @@
 //! Escapes text for HTML.
 
-/// Escapes `text` for HTML and SVG, where the result may also be put into double-quoted attributes.
+/// Escapes `text` for HTML and SVG. The result may also be put into double-quoted attributes.
 pub fn escape_html(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }

@@ -100,7 +100,7 @@ fn parse_hash(digits: &str) -> Option<u64> {
     u64::from_str_radix(digits, 16).ok().filter(|_| digits.len() == 16)
 }
 
-/// Writes the text of the table.
+/// Writes the table in the format of table.txt.
 impl Display for MistakeTable<'_> {
     fn fmt(&self, f: &mut Formatter) -> fmt::Result {
         for RightPicture { name, hash, small_pictures } in &self.right_pictures {

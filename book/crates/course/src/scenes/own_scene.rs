@@ -48,8 +48,9 @@ impl OwnScene {
         look_at(&camera, self.position, self.target, self.roll_degrees.to_radians())
     }
 
-    /// Draws the picture with this many columns. If the scene has no mirrors, step 5 draws it.
-    /// Otherwise the example `mirror` does, and reflects a ray at most ten times.
+    /// Draws the picture with this many columns. If the scene has no mirrors, step 5 draws the
+    /// picture. Otherwise, the example `mirror` draws the picture, and reflects a ray at most ten
+    /// times.
     pub fn picture(&self, columns: u32) -> RgbImage {
         let camera = self.camera(columns);
         if !self.has_mirrors {

@@ -48,7 +48,7 @@ pub struct TypedRange {
 /// A single number in a scene, such as a radius or the x of a position.
 #[derive(Debug)]
 pub struct Scalar {
-    /// The symbol, or an empty string.
+    /// The number's mathematical symbol, or an empty string.
     pub symbol: &'static str,
     /// The label of the number's control. In the page's address, the number's name consists of the
     /// owner's name and this label.
@@ -67,7 +67,7 @@ pub struct Scalar {
     /// The axis, if this number is a coordinate of an object or a light. The channel, if this
     /// number belongs to a colour, except for the colour of a highlight. None for all other
     /// numbers, such as the camera's coordinates. A page's handles and its colour field find their
-    /// numbers by this component.
+    /// numbers by these components.
     pub component: Option<Component>,
     property: Property,
     /// The index of the axis or channel if the property has three numbers, and 0 otherwise.

@@ -1,5 +1,5 @@
-//! The steps' source code as text. This folder lists the places in it that a reader may edit on a
-//! page, turns a step's crate into a module of another crate, and writes the dependencies of a
+//! The steps' source code as text. This folder lists the places in that code that a reader may edit
+//! on a page, turns a step's crate into a module of another crate, and writes the dependencies of a
 //! program that contains copies of the steps.
 
 mod crate_as_module;

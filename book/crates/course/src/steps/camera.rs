@@ -22,8 +22,8 @@ pub fn primary_rays() -> impl Iterator<Item = Ray> {
 }
 
 /// The course's camera with this many columns and rows. We convert 60° with `to_radians`, as the
-/// steps' programs do. The constant `FRAC_PI_3` differs from the result in the last digit, so it
-/// would give different rays.
+/// steps' programs do. The constant `FRAC_PI_3` differs from the result in the last digit, so the
+/// constant would give different rays.
 pub fn camera_with_size(columns: u32, rows: u32) -> Camera {
     Camera::new(columns, rows, FOV_DEGREES.to_radians())
 }

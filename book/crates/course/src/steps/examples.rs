@@ -10,8 +10,8 @@ use crate::Step;
 use image::RgbImage;
 use step01_rays::Camera;
 
-/// A function that draws what a camera sees. Its second argument is a number n: the function splits
-/// each pixel into n×n sub-pixels.
+/// A function that draws what a camera sees. The function's second argument is a number n: each
+/// pixel is split into n×n sub-pixels.
 pub type DrawPicture = fn(&Camera, u32) -> RgbImage;
 
 /// Declares each example as a module. The macro hides the modules from rustfmt. Otherwise, rustfmt
