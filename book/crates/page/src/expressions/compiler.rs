@@ -1,4 +1,4 @@
-//! Compiles a line, or refuses it if Rust would refuse it.
+//! Compiles a line. Refuses a line that Rust would refuse.
 
 use crate::expressions::evaluation::{CompiledLine, Computation, Interruption};
 use crate::expressions::functions::{Function, find_function, remainder_operations};
@@ -33,7 +33,7 @@ pub fn compile_line(place: &Place, text: &str) -> Result<CompiledLine, Refusal> 
         compiler.names.push((name.split_whitespace().collect(), code));
     }
     let part = compiler.compile_statements(&statements, 0..text.len())?;
-    if let Some(fault) = find_place_fault(place, text, &statements, &part) {
+    if let Some(fault) = explain_misplaced_line(place, text, &statements, &part) {
         return refuse(part.range, fault);
     }
     Ok(CompiledLine {
@@ -45,8 +45,14 @@ pub fn compile_line(place: &Place, text: &str) -> Result<CompiledLine, Refusal> 
     })
 }
 
-/// Explains why a line that is valid on its own doesn't fit its place. Returns None if it fits.
-fn find_place_fault(place: &Place, text: &str, statements: &[Stmt], part: &Part) -> Option<Fault> {
+/// Explains why a line that is valid on its own doesn't fit its place. Returns None if the line
+/// fits.
+fn explain_misplaced_line(
+    place: &Place,
+    text: &str,
+    statements: &[Stmt],
+    part: &Part,
+) -> Option<Fault> {
     let has_note = |note| place.notes.contains(&note);
     let [.., Stmt::Expr(syntax, None)] = statements else { return Some(Fault::Block) };
     let is_block = matches!(syntax, Expr::If(_) | Expr::Block(_));
@@ -147,7 +153,7 @@ impl Compiler<'_> {
         let Some(function) = find_function(kind, name, &types) else {
             return Err(self.explain_refused_call(call));
         };
-        // Rust refuses to divide by a constant 0, even if the dividend isn't constant.
+        // Rust refuses to divide an integer by a constant 0, even if the dividend isn't constant.
         let divisor = operands.last().and_then(|operand| operand.code.constant_value());
         if ["/", "%"].contains(&name) && divisor == Some(Value::I32(0)) {
             return refuse(name_range, Fault::NoResult);
@@ -183,7 +189,7 @@ fn compile_function_call(
         (_, [a]) => call_with_values(function, [a.clone()], name_range),
         (_, [a, b]) => call_with_values(function, [a.clone(), b.clone()], name_range),
         (_, [a, b, c]) => call_with_values(function, [a.clone(), b.clone(), c.clone()], name_range),
-        // This is unreachable. A call without operands is constant, so it has been evaluated
+        // This arm is unreachable. A call without operands is constant, so it has been evaluated
         // already. No function has more than three parameters.
         _ => call_with_values(function, [], name_range),
     }

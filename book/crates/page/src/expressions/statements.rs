@@ -19,8 +19,8 @@ pub fn is_compound_assignment(operator: &BinOp) -> bool {
     sign.ends_with('=') && !["==", "!=", "<=", ">="].contains(&&*sign)
 }
 
-/// Finds the expression whose value is the value of a block or of the first branch of an `if`.
-/// Returns any other expression as it is.
+/// Finds the expression that gives a block its value, or that gives the first branch of an `if` its
+/// value. Returns any other expression as it is.
 fn tail_expression(syntax: &Expr) -> &Expr {
     let statements = match syntax {
         Expr::Block(block) => &block.block.stmts,
@@ -201,7 +201,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn only_a_compound_assignment_changes_its_left_operand() {
+    fn compound_assignments_are_told_from_other_operators() {
         let is_compound_assignment =
             |sign| is_compound_assignment(&syn::parse_str(sign).expect(sign));
         for sign in ["+=", "%=", "<<="] {

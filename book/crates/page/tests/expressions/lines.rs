@@ -1,5 +1,5 @@
 //! What readers are told about lines that are refused because they don't compile or can't be drawn.
-//! In the snapshot, the wrong part of a line is in ⟦ and ⟧.
+//! In the snapshot, the wrong part of a line is between ⟦ and ⟧.
 
 use course::{Place, all_listed_places};
 use page::expressions::{Fault, Refusal, compile_line, draw_step_of_first_line};
@@ -11,7 +11,7 @@ fn refused_lines_have_their_range_and_sentence() {
     let mut report = String::new();
     for line in include_str!("lines.txt").lines() {
         let (name, text) = line.split_once(' ').expect("a place and a text");
-        report += &match draw(name, text) {
+        report += &match try_line(name, text) {
             Ok(()) => format!("{name} {text}\n"),
             Err(Refusal { range, fault }) => {
                 let Range { start, end } = range;
@@ -28,7 +28,7 @@ fn refused_lines_have_their_range_and_sentence() {
 ///
 /// # Panics
 ///
-/// Panics if the code that a cure has inserted is itself refused.
+/// Panics if the code that a cure has inserted is itself refused, except for its type.
 pub fn cure_line(place: &Place, text: &str) -> String {
     let mut cured = text.to_owned();
     let mut last = None;
@@ -36,8 +36,8 @@ pub fn cure_line(place: &Place, text: &str) -> String {
         let Err(Refusal { range, fault }) = compile_line(place, &cured) else { break };
         if let Some(Range { start, end }) = last {
             let is_in_cure = start <= range.start && range.end <= end;
-            // A wrong type isn't the cure's fault: the code around the cure may require a different
-            // type.
+            // The type may be wrong through no fault of the cure, because the code around the cure
+            // may require a different type.
             let is_type_mismatch =
                 matches!(fault, Fault::WholeNumber { .. } | Fault::Mismatch { .. });
             assert!(!is_in_cure || is_type_mismatch, "{text}, cured: {cured}: {fault}");
@@ -63,14 +63,14 @@ fn cures_are_accepted() {
     insta::assert_snapshot!(cured_lines);
 }
 
-/// Draws a small picture with this text at a place.
-fn draw(place_name: &str, text: &str) -> Result<(), Refusal> {
-    draw_within(place_name, text, 30_000)
+/// Draws a small picture with this text at a place. Returns an error if the text is refused.
+fn try_line(place_name: &str, text: &str) -> Result<(), Refusal> {
+    try_line_within(place_name, text, 30_000)
 }
 
-/// Draws a small picture with this text at a place. The text may take at most `operations` for the
-/// whole picture.
-fn draw_within(place_name: &str, text: &str, operations: u64) -> Result<(), Refusal> {
+/// Draws a small picture with this text at a place. Returns an error if the text is refused, or if
+/// it takes more than `operations` for the whole picture.
+fn try_line_within(place_name: &str, text: &str, operations: u64) -> Result<(), Refusal> {
     let place = all_listed_places().into_iter().find(|place| place.name == place_name);
     let line = compile_line(&place.expect("a place"), text)?;
     draw_step_of_first_line(&[line], 64, operations).map(|_| ()).map_err(|error| error.refusal)
@@ -88,9 +88,9 @@ fn operations_are_counted_where_they_are_evaluated() {
         ("v * (1e300 % v.x)", 44),
     ] {
         let operations = 64 * 36 * operations_per_pixel;
-        assert_eq!(draw_within("sky", text, operations), Ok(()), "{text}");
+        assert_eq!(try_line_within("sky", text, operations), Ok(()), "{text}");
         let refusal = Refusal { range: 0..text.len(), fault: Fault::OutOfOperations };
-        assert_eq!(draw_within("sky", text, operations - 1), Err(refusal), "{text}");
+        assert_eq!(try_line_within("sky", text, operations - 1), Err(refusal), "{text}");
     }
 }
 
@@ -101,7 +101,7 @@ fn long_text_and_slow_line_are_refused() {
         (format!("1.0{}", "+1e300%v.x".repeat(3)), "longer than a page"),
         (format!("1.0{}", "+v.x*v.x".repeat(20)), "longer than a page"),
     ] {
-        let refusal = draw("a", &text).expect_err("it is refused");
+        let refusal = try_line("a", &text).expect_err("it is refused");
         assert!(refusal.to_string().contains(words), "{text}: {refusal}");
     }
 }
@@ -109,8 +109,8 @@ fn long_text_and_slow_line_are_refused() {
 #[test]
 fn text_longer_than_250_bytes_is_refused() {
     let longest = format!("{:250}", "v.dot(v)");
-    assert_eq!(draw("a", &longest), Ok(()));
-    assert!(draw("a", &(longest + " ")).is_err());
+    assert_eq!(try_line("a", &longest), Ok(()));
+    assert!(try_line("a", &(longest + " ")).is_err());
 }
 
 /// Returns the text of the reply to these edited lines. Each line is given as the name of its place
@@ -156,7 +156,7 @@ fn reply_says_what_the_edited_lines_change_or_what_is_wrong() {
 }
 
 #[test]
-fn fault_in_an_unfinished_line_has_a_range_within_it() {
+fn fault_in_an_unfinished_line_has_a_range_within_the_line() {
     for line in include_str!("lines.txt").lines() {
         let (name, text) = line.split_once(' ').expect("a place and a text");
         let place = all_listed_places().into_iter().find(|place| place.name == name);
