@@ -1,5 +1,5 @@
-//! Copies the source of the five steps into modules. In the copy, each *place* (an expression that
-//! a reader may edit) first checks whether the reader has edited it.
+//! Copies the source of the five steps into modules. In the copy, the code at each *place* (an
+//! expression that a reader may edit) first checks whether the reader has edited this place.
 
 #[path = "../course/src/source_code/crate_as_module.rs"]
 mod crate_as_module;
@@ -16,8 +16,9 @@ use std::{collections::BTreeMap, env, path::Path};
 
 const STEPS: &str = "../../../steps";
 
-/// What step 1's draw_pixels.rs contains in the copy. The original shares the rows among threads,
-/// but the context in `edited_picture.rs` is thread-local.
+/// The contents of step 1's draw_pixels.rs in the copy. The original file draws the rows of a
+/// picture on several threads. The copy can't do the same, because the context in
+/// `edited_picture.rs` is thread-local.
 const DRAW_PIXELS: &str =
     "pub use crate::expressions::draw_spaced_pixels_until_refusal as draw_pixels;\n";
 
@@ -68,24 +69,24 @@ fn read_step_sources() -> Result<BTreeMap<String, String>, Box<dyn Error>> {
 /// Rewrites a source file of a step. In the result, each place first asks for the value of the
 /// reader's line, and a failed `debug_assert!` stops the drawing instead of crashing the module.
 ///
-/// The steps themselves have no hook for this, because the book shows every line of them. So a few
-/// words of their source are replaced, and the result is compiled as a second copy. Replacing these
-/// words needs no parser:
+/// The steps themselves have no hook for the reader's lines, because the book shows all of their
+/// source. So a few words of their source are replaced, and the result is compiled as a second
+/// copy. Replacing these words needs no parser:
 ///
-/// - A place is a whole expression whose code occurs exactly once in its file. What replaces it is
+/// - A place is a whole expression whose code occurs exactly once in its file. The replacement is
 ///   an expression, too.
 /// - The function that replaces `debug_assert!` takes the same arguments: a condition and a
 ///   sentence.
 ///
 /// If someone changes a step so that a replacement goes wrong, the copy either fails to compile or
-/// draws a different picture. For every place, a test compares the picture with the locked one. A
-/// test also reports any place whose code isn't found. This function skips such a place instead of
-/// failing, because no test can run if the build fails.
+/// draws a different picture. One test draws a picture for every place, and compares it with the
+/// locked picture. Another test reports any place whose code isn't found. This function skips a
+/// place whose code isn't found, because no test could run if the build failed.
 fn with_editable_places_and_refusing_asserts(text: &str, file: &str, places: &[Place]) -> String {
     let places = places.iter().filter(|place| place.file == file);
     let found = places.filter_map(|place| Some((place.find_range(text).ok()?, place)));
     let mut edits: Vec<_> = found.collect();
-    // The last edit comes first, because an edit shifts the text after it.
+    // Edit from the end of the file to its start, because each edit shifts the text after it.
     edits.sort_by_key(|(range, _)| Reverse(range.start));
     let mut copy = text.to_owned();
     for (range, Place { index, variables, .. }) in edits {

@@ -26,9 +26,10 @@ const MAX_OPERATIONS: u64 = 4_000_000;
 /// draws.
 const PIXEL_SPACING: u32 = 12;
 
-/// Draws a step with the reader's lines in it. The reply contains either the picture and the names
-/// that the first line may use, or what is wrong with one of the lines. For a picture at full size,
-/// the reply also says whether the picture is right, or which known mistake draws it.
+/// Draws a step with the reader's lines instead of the book's. If all lines are accepted, the reply
+/// contains the picture, and the names that the first line may use. Otherwise, the reply says what
+/// is wrong with one of the lines. If a picture of full size is right, or if a listed mistake draws
+/// the same pixels, the reply says so.
 pub fn edit(columns: u32, lines: &[EditedLine]) -> Result<Reply, RequestError> {
     Ok(Edit::new(columns, lines)?.reply())
 }
@@ -68,8 +69,8 @@ impl<'a> Edit<'a> {
         self.lines.iter().map(compile).collect()
     }
 
-    /// Draws the picture. If that takes too many operations at full size, draws it at half the
-    /// width and height instead.
+    /// Draws the picture. If the picture takes too many operations at full size, draws it at half
+    /// the width and half the height.
     fn draw(&self) -> Result<RgbImage, LineRefusal> {
         let lines = self.compile_lines()?;
         let draw =
@@ -78,8 +79,9 @@ impl<'a> Edit<'a> {
         if self.columns < FULL_WIDTH {
             return draw(self.columns, MAX_OPERATIONS);
         }
-        // First draw a hundredth of the pixels. If that shows that all pixels would take more than
-        // twice the limit, don't even try full size.
+        // First draw a small picture, with a hundredth of the pixels. If the small picture takes
+        // more than a fiftieth of the limit, the full size would take about twice the limit, so
+        // don't try it.
         if !takes_too_long(&draw(FULL_WIDTH / 10, 2 * MAX_OPERATIONS / 100)) {
             let result = draw(FULL_WIDTH, MAX_OPERATIONS);
             if !takes_too_long(&result) {
@@ -90,7 +92,7 @@ impl<'a> Edit<'a> {
     }
 
     /// Replies with the picture and the names that the first line may use. If a line is refused,
-    /// replies with its place, the fault, and the faulty range in UTF-16 code units.
+    /// replies with the line's place, the fault, and the range at fault in UTF-16 code units.
     fn reply(&self) -> Reply {
         match self.draw() {
             Ok(picture) => {
@@ -125,18 +127,20 @@ impl<'a> Edit<'a> {
     }
 }
 
-/// Converts a byte range of a text to a range of UTF-16 code units, because these are what
-/// JavaScript counts.
+/// Converts a byte range of a text to a range of UTF-16 code units, in which JavaScript counts.
 fn utf16_range(text: &str, bytes: &Range<usize>) -> Range<usize> {
     let code_units = |end: usize| text[..end].encode_utf16().count();
     code_units(bytes.start)..code_units(bytes.end)
 }
 
-/// Says that a picture is right, or which listed mistake draws the same pixels. A mistake is only
-/// considered if a single line is edited, and if the mistake changes the code at the place of this
-/// line. Returns None for any other picture, and for a wrong picture that has a single colour. If a
-/// picture is right because it can't show what the lines change, describes their effect on later
-/// steps instead.
+/// Says that a picture is right, or which listed mistake draws the same pixels. Returns None for
+/// any other picture.
+///
+/// - A picture may be right although the lines change something, because the picture can't show the
+///   change. In this case, the sentence describes the effect of the lines on later steps.
+/// - A mistake is considered only if a single line is edited, and if the mistake changes the code
+///   at the place of this line.
+/// - A picture of a single colour isn't compared with the mistakes.
 fn describe_known_picture(edit: &Edit, picture: &RgbImage) -> Option<String> {
     let lines = &edit.lines;
     let (place, _) = lines.first()?;
@@ -167,15 +171,16 @@ fn describe_known_picture(edit: &Edit, picture: &RgbImage) -> Option<String> {
     Some(format!("A known mistake gives the same pixels: {}.", mistake.title))
 }
 
-/// Says which step after step 2 is the first whose picture shows the effect of the lines, or that no
-/// picture does. Step 2's own picture can't, because it depends on whether a ray meets the ball, but
-/// not on the t of the hit. Returns None if drawing the later steps takes too many operations.
+/// Says which step after step 2 is the first whose picture shows the effect of the lines, or that
+/// none of these pictures shows it. The picture of step 2 can't show the effect, because it depends
+/// only on whether a ray meets the ball, not on the t of the hit. Returns None if drawing the later
+/// steps takes too many operations.
 fn describe_effect_on_later_steps(edit: &Edit) -> Option<String> {
     let lines = edit.compile_lines().ok()?;
     let blind = "This picture can't show what you changed here: it shows whether a ray meets the \
                  ball, not at which t.";
-    // A later step may evaluate the lines once for each of its nine balls, so a pixel gets eight
-    // times the operations of a pixel at full size.
+    // A later step may evaluate the lines once for each of its nine balls, so a pixel here may take
+    // eight times as many operations as a pixel of a full-size picture.
     let max_operations = 8 * MAX_OPERATIONS / u64::from(PIXEL_SPACING * PIXEL_SPACING);
     let draw = |step: Step, lines: &[CompiledLine]| {
         draw_some_pixels(step, lines, PIXEL_SPACING, FULL_WIDTH, max_operations)
@@ -209,7 +214,7 @@ fn describe_effect_on_later_steps(edit: &Edit) -> Option<String> {
 mod tests {
     use super::*;
 
-    /// Makes edited lines from the names of their places and their texts.
+    /// Makes edited lines. Each line is given as the name of its place and its text.
     fn edited_lines<const N: usize>(lines: [(&str, &str); N]) -> [EditedLine; N] {
         lines.map(|(place, text)| EditedLine { place: place.to_owned(), text: text.to_owned() })
     }

@@ -1,6 +1,6 @@
 //! The functions that a page calls. The page writes a request, and possibly a file, into the
-//! module's memory and reads the reply from there. The code here dereferences no pointer: it only
-//! returns addresses.
+//! module's memory and reads the reply from the same memory. These functions dereference no
+//! pointers. They only return addresses.
 
 use crate::reply;
 use figures::Reply;
@@ -21,8 +21,9 @@ extern "C" fn allocate_input(index: usize, length: usize) -> *mut u8 {
     })
 }
 
-/// Replies to the request in memory. Returns the address of four numbers: the address and length of
-/// the reply's text, and the address and length of its pixels. The lengths are in bytes.
+/// Replies to the request that the page has written into memory. Returns the address of four
+/// numbers: the address and length of the reply's text, and the address and length of its pixels.
+/// The lengths are in bytes.
 #[unsafe(no_mangle)]
 extern "C" fn make_reply() -> *const usize {
     let [request, file] = INPUTS.take();

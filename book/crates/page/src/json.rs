@@ -1,6 +1,6 @@
 //! A JSON reader that supports only what requests need. The JSON writer for replies is in `course`.
-//! A value remains text until one of its methods parses it, so a part of a request that nobody reads
-//! isn't checked.
+//! A value remains text until one of its methods parses it, so the parts of a request that no code
+//! reads aren't checked.
 
 use std::str::FromStr;
 

@@ -1,8 +1,9 @@
 //! The WebAssembly modules that the book's pages call.
 //!
 //! `live` draws the figures, `check` examines a picture that a reader drops onto a page, and
-//! `expressions` draws pictures with lines that a reader has edited. Each module is a feature of
-//! this package and a file of its own, because few readers need `check` and `expressions`.
+//! `expressions` draws pictures with lines of code that a reader has edited. Each module is a
+//! feature of this package, and has a file of its own, because few readers need `check` and
+//! `expressions`.
 
 #[cfg(feature = "check")]
 mod check;
@@ -26,7 +27,8 @@ mod tests;
 use figures::Reply;
 pub use request::{EditedLine, Request, RequestError};
 
-/// Replies to a request, which may come with a file. If that isn't possible, the reply is an error.
+/// Replies to a request. For a request that needs no file, `file` is empty. If the request is
+/// refused, the reply consists of the error.
 pub fn reply(request: &str, file: &[u8]) -> Reply {
     let result = Request::parse(request).and_then(|request| try_reply(&request, file));
     result.unwrap_or_else(Reply::from_error)

@@ -7,23 +7,23 @@ use crate::json::Json;
 use figures::{FigureRequest, FigureRequestError};
 use thiserror::Error;
 
-/// A request from a page. Some requests come with a file.
+/// A request from a page. Some requests come with a file, which isn't part of the JSON.
 ///
-/// Each module knows only the requests that it replies to, which keeps its code small.
+/// A module knows only the requests that it replies to, so that its code stays small.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Request {
-    /// Loads the texts of the mistakes from the file, because they aren't compiled into any module.
+    /// Loads the lists of mistakes from the file. The lists aren't compiled into any module.
     Mistakes,
-    /// Checks the file.
+    /// Checks the file that comes with the request.
     #[cfg(feature = "check")]
     Check {
         /// The name of the file.
         file_name: String,
-        /// The name of the expected picture, or None if `check` should find out which picture it
-        /// is.
+        /// The name of the expected picture, or None if the crate `check` should find out which
+        /// picture the file shows.
         picture: Option<String>,
     },
-    /// Checks whether the file is the picture of a person's scene.
+    /// Checks whether the file that comes with the request is the picture of a person's scene.
     #[cfg(feature = "check")]
     CheckScene {
         /// The name of the file.
@@ -52,9 +52,9 @@ pub enum Request {
 /// A line that a reader has edited.
 #[derive(Clone, Debug, PartialEq)]
 pub struct EditedLine {
-    /// The name of its place.
+    /// The name of the line's place.
     pub place: String,
-    /// What the reader has written there.
+    /// What the reader has written at the place.
     pub text: String,
 }
 
@@ -72,7 +72,7 @@ pub enum RequestError {
     Field {
         /// The name of the field.
         name: &'static str,
-        /// What its value should be.
+        /// What the field's value should be.
         expected: &'static str,
     },
     /// A picture with edited lines can't have this many columns.
@@ -159,7 +159,7 @@ impl Fields<'_> {
 
 /// A type that a field can have.
 trait FromJson: Sized {
-    /// The type in words, for an error.
+    /// The type in words, for an error message.
     const NAME: &'static str;
 
     /// Reads a JSON value. Returns None if it has the wrong type.

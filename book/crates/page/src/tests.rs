@@ -1,5 +1,6 @@
 //! Compares the fields of replies with the types in tests/browser/theme.d.ts, on which the pages'
-//! scripts rely. If a field were renamed only in Rust, a script would read it as `undefined`.
+//! scripts rely. If a field were renamed only in Rust, a script would read `undefined` under the
+//! field's old name.
 
 use crate::json::Json;
 use crate::reply;
@@ -19,7 +20,8 @@ static TYPES: LazyLock<String> = LazyLock::new(|| {
 /// A picture that is right for step 2, and wrong for step 1.
 const PICTURE: &[u8] = include_bytes!("../../../../tests/snapshots/step02_sphere.snap.png");
 
-/// The same picture upside down, for which the book has a section to read.
+/// The picture of step 2, upside down. When it is checked, the reply links to a section of the
+/// book.
 static UPSIDE_DOWN: LazyLock<Vec<u8>> = LazyLock::new(|| {
     let mut picture = image::load_from_memory(PICTURE).expect("a picture");
     picture.apply_orientation(Orientation::FlipVertical);
@@ -28,8 +30,8 @@ static UPSIDE_DOWN: LazyLock<Vec<u8>> = LazyLock::new(|| {
     png.into_inner()
 });
 
-/// Requests with their files. Every field that a reply can have occurs in the reply to at least one
-/// of these requests.
+/// Requests, each with its file. Every field that a reply can have occurs in the reply to at least
+/// one of these requests.
 static REQUESTS: LazyLock<[(&str, &[u8]); 16]> = LazyLock::new(|| {
     [
         (r#"{"request":"mistakes"}"#, b""),
@@ -98,8 +100,8 @@ struct Comparison {
 }
 
 impl Comparison {
-    /// Compares the names of an object's fields with the names in its type. Also compares each
-    /// object in the object's lists.
+    /// Compares the names of an object's fields with the names in the object's type. Also compares
+    /// the objects in those fields that are lists of objects.
     fn compare(&mut self, type_name: &'static str, object: &[(String, Json)]) {
         let fields = find_interface_fields(type_name).expect(type_name);
         self.types.insert(type_name);

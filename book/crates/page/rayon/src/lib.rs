@@ -1,9 +1,9 @@
 //! The part of rayon's API that the steps and `check` use, implemented on one thread.
 //!
-//! A page has only one thread, so the real rayon would draw on one thread, too. But the compiler
-//! would monomorphise rayon's code for sharing rows among threads once for each picture, and a
-//! fifth of `check.wasm` would be this code. If the steps or `check` use any other part of rayon,
-//! the modules don't compile.
+//! A page has only one thread, so the real rayon would draw on one thread, too. But rayon's code
+//! for sharing rows among threads would be compiled once for each picture, and would make up a
+//! fifth of `check.wasm`. If the steps or `check` use any other part of rayon, the modules don't
+//! compile.
 
 use std::convert::Infallible;
 use std::slice;

@@ -1,4 +1,4 @@
-//! Draws the steps' pictures with the reader's lines in them.
+//! Draws the picture of a step in whose code the reader's lines replace the book's.
 
 use crate::expressions::evaluation::{CompiledLine, Evaluation, Interruption};
 use crate::expressions::refusal::{Fault, Refusal};
@@ -25,10 +25,10 @@ pub struct LineRefusal {
 
 /// The state that the copied steps use while drawing.
 struct Context {
-    /// A bit for each place, at the place's index in places.txt. The bit is 1 if the reader has
-    /// edited the place. The build script makes sure that there are enough bits. A list of the
-    /// edited places would be too slow: in step 5, a single ray looks up more than sixty places,
-    /// and a list doubled the time that a picture took.
+    /// Which places the reader has edited: the bit at a place's index in places.txt is 1 if the
+    /// place is edited. The build script makes sure that a u64 has enough bits. A list of the
+    /// edited places would be too slow: it doubled the time for a picture, because in step 5, a
+    /// single ray looks up more than sixty places.
     edited: Cell<u64>,
     /// The horizontal and vertical distance between the pixels that are drawn. If it is 1, all
     /// pixels are drawn.
@@ -47,9 +47,8 @@ struct EditedPicture {
 
 thread_local! {
     /// The context of the picture that this thread is drawing. While the thread draws nothing, no
-    /// place counts as edited. The context is thread-local because the steps' functions have no
-    /// parameter for it. They can't get such a parameter, because the book shows them. Everything
-    /// else is passed as an argument.
+    /// place counts as edited. The context is thread-local because it can't be passed to the steps'
+    /// functions as an argument: the book shows these functions, and they have no parameter for it.
     static CONTEXT: Context = const {
         Context {
             edited: Cell::new(0),
@@ -65,8 +64,8 @@ impl EditedPicture {
         Self { lines, evaluation: Evaluation::new(max_operations), refusal: None }
     }
 
-    /// Evaluates the reader's line at a place. Returns None if that line is refused, or if a line
-    /// has been refused before.
+    /// Evaluates the reader's line at a place. Returns None if the line is refused now, or if any
+    /// line was refused earlier in the picture.
     fn evaluate(&mut self, place_index: usize, variables: &[Value]) -> Option<Value> {
         if self.refusal.is_some() {
             return None;
@@ -102,9 +101,9 @@ where
     Some(evaluate_line(place_index, &variables()))
 }
 
-/// Evaluates the reader's line at a place. Once a line has been refused, the value no longer
-/// matters, so this returns a default. The function isn't inlined, which keeps the code at each
-/// place small.
+/// Evaluates the reader's line at a place. Once any line has been refused, values no longer matter,
+/// so this function returns a default value. It isn't inlined, so that the code at each place stays
+/// small.
 #[inline(never)]
 fn evaluate_line<T: Default + TryFrom<Value>>(place_index: usize, variables: &[Value]) -> T {
     let evaluate =
@@ -114,8 +113,8 @@ fn evaluate_line<T: Default + TryFrom<Value>>(place_index: usize, variables: &[V
 }
 
 /// Replaces `debug_assert!` in the copied steps. If `condition` is false, a debug build of the
-/// reader's program would panic, so this function refuses the first line. The refusal stops the
-/// drawing.
+/// reader's program would panic, so this function refuses the first of the reader's lines. The
+/// refusal stops the drawing.
 pub fn assert_or_refuse_first_line(condition: bool, sentence: &'static str) {
     if condition {
         return;
@@ -132,8 +131,9 @@ pub fn assert_or_refuse_first_line(condition: bool, sentence: &'static str) {
 }
 
 /// Draws every pixel whose column and row are multiples of the context's `pixel_spacing`, until a
-/// line is refused. In the copied steps, this replaces step 1's `draw_pixels`, which shares the rows
-/// among threads. Here a single thread draws all rows, because the context is thread-local.
+/// line is refused. In the copied steps, this function replaces step 1's `draw_pixels`, which draws
+/// the rows on several threads. This function draws all rows on one thread, because the context is
+/// thread-local.
 pub fn draw_spaced_pixels_until_refusal(
     camera: &Camera,
     pixel: impl Fn(f64, f64) -> Rgb<u8> + Sync,
@@ -152,9 +152,9 @@ pub fn draw_spaced_pixels_until_refusal(
     picture
 }
 
-/// Draws the step of the first line with the reader's lines in place of the book's. The lines may
-/// take `max_operations` for the whole picture. Without any lines, draws step 1 as in the book. If
-/// an assertion in the step fails, the first line is refused.
+/// Draws the step to which the first of `lines` belongs, with these lines instead of the book's.
+/// For the whole picture, the lines may take at most `max_operations`. If `lines` is empty, draws
+/// step 1 as in the book. If an assertion in the step fails, refuses the first line.
 pub fn draw_step_of_first_line(
     lines: &[CompiledLine],
     columns: u32,
@@ -179,8 +179,8 @@ pub fn draw_some_pixels(
     picture
 }
 
-/// Draws a step with the reader's lines in place of the book's. Returns an error if a line is
-/// refused while the step draws.
+/// Draws a step with the reader's lines instead of the book's. Returns an error if a line is
+/// refused while the picture is drawn.
 fn draw_step(
     step: Step,
     lines: &[CompiledLine],

@@ -8,7 +8,7 @@ use std::rc::Rc;
 /// A compiled line: a function of the variables at its place.
 #[derive(Clone)]
 pub struct CompiledLine {
-    /// The index of its place in places.txt.
+    /// The index of the line's place in places.txt.
     pub(super) place_index: usize,
     pub(super) place_name: &'static str,
     pub(super) step: Step,

@@ -15,7 +15,7 @@ pub struct Function {
     /// The name of the function in such an operation. For the method `f64::max`, this is `max`.
     pub name: &'static str,
     /// The types of the parameters. A constant has no parameters. For a method or a field, the
-    /// first of these types is the type that it belongs to.
+    /// first is the type of the receiver.
     pub parameters: &'static [ValueType],
     /// The type of the result.
     pub result: ValueType,

@@ -4,8 +4,9 @@
 //! A *place* is an expression in the steps that a reader may edit. `places.txt` lists all places.
 //! The build script copies the steps' source. In the copy, each place first asks for the value of
 //! the reader's line (`value_of_line`). `syn` parses the line. The *compiler* looks up the line's
-//! operators, functions and methods in a table of *functions*, which have the same types as in
-//! Rust. The compiler combines these functions into a single closure, which runs for each pixel.
+//! operators, functions and methods in a table of *functions*. Each function in the table has the
+//! same types as in Rust. The compiler combines the functions that the line uses into a single
+//! closure, which runs for each pixel.
 //!
 //! A line is refused if Rust would refuse it, if it would make the reader's program panic while
 //! drawing, or if it needs more *operations* than a page has time for. A refusal consists of the
@@ -37,5 +38,5 @@ pub use evaluation::CompiledLine;
 pub use refusal::{Fault, Refusal};
 pub use value::Value;
 
-// The copied steps call these, and also `draw_spaced_pixels_until_refusal`.
+// The copied steps call these two functions, and also `draw_spaced_pixels_until_refusal`.
 use edited_picture::{assert_or_refuse_first_line, value_of_line};

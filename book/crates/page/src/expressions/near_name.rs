@@ -1,6 +1,6 @@
 //! Finds the name that a reader most likely meant.
 
-/// The minimum length of a name that is recognised although some of its letters are wrong.
+/// The minimum length of a name in which wrong letters are tolerated.
 const MIN_LETTERS: usize = 3;
 
 /// Words from other languages and libraries, each with the names that Rust and glam use for the
@@ -38,13 +38,13 @@ pub fn name_and_synonyms(name: &str) -> Vec<String> {
     [vec![lowercase], others].concat()
 }
 
-/// Returns the known name that is closest to `name`, if any is close enough. A known name is close
-/// if it does one of the following:
+/// Returns the known name that is closest to `name`, if any known name is close enough. A known
+/// name is close if one of these statements is true:
 ///
 /// - It equals `name`, ignoring case.
 /// - It is a synonym of `name`.
 /// - It differs from `name` by a letter or two.
-/// - It is a prefix of `name`, and makes up more than half of it.
+/// - It is a prefix of `name`, and has more than half as many letters.
 pub fn find_near_name<'a>(name: &str, known: impl Iterator<Item = &'a str>) -> Option<&'a str> {
     let wanted = name_and_synonyms(name);
     let distance = |known: &str| {

@@ -1,5 +1,5 @@
 //! Splits an operation into its kind, its name and its operands. Operators, casts, fields, methods
-//! and calls are all operations. The table of functions has entries for all of these.
+//! and calls are all operations. The table of functions has entries for operations of every kind.
 
 use crate::expressions::refusal::{Fault, Refusal, refuse};
 use quote::ToTokens;
@@ -28,8 +28,8 @@ pub enum OperationKind {
 }
 
 impl OperationKind {
-    /// Whether the operation is a field or a method. If so, the first operand is the one before the
-    /// dot.
+    /// Whether the operation is a field or a method. If so, the first operand is the expression
+    /// before the dot.
     pub fn is_member(self) -> bool {
         matches!(self, OperationKind::Method | OperationKind::Field)
     }

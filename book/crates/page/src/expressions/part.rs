@@ -22,7 +22,7 @@ pub struct Code {
     pub computation: Computation,
     pub value_type: ValueType,
     /// Whether the value comes only from unsuffixed literals such as `2.0`. Rust hasn't inferred
-    /// the type of such a value yet, so no method can be called on it.
+    /// the type of such a value yet, so no method can be called on the value.
     pub has_ambiguous_type: bool,
 }
 
@@ -36,7 +36,7 @@ impl Code {
         }
     }
 
-    /// Returns the value, if it is the same for every pixel.
+    /// Returns the value of this code, if the value is the same for every pixel.
     pub fn constant_value(&self) -> Option<Value> {
         if let Computation::Constant(value) = self.computation { Some(value) } else { None }
     }
@@ -80,7 +80,7 @@ pub fn compile_literal(literal: &Lit) -> Result<Code, Refusal> {
     }
 }
 
-/// Writes a literal as in the line, with its prefix and suffix, such as `0x1_f64`.
+/// Writes a literal as it appears in the line, with any prefix and suffix, as in `0x1_f64`.
 fn write_literal(literal: &Lit) -> String {
     literal.to_token_stream().to_string()
 }

@@ -9,9 +9,9 @@ use thiserror::Error;
 #[derive(Clone, Debug, PartialEq, Error)]
 #[error("{fault}")]
 pub struct Refusal {
-    /// The byte range at fault.
+    /// The byte range at fault in the line.
     pub range: Range<usize>,
-    /// What is wrong there.
+    /// What is wrong with this range.
     pub fault: Fault,
 }
 
@@ -21,9 +21,9 @@ pub fn refuse<T>(range: Range<usize>, fault: Fault) -> Result<T, Refusal> {
 }
 
 /// What is wrong with a part of a line, told to the reader in one or two sentences. A list of names
-/// may follow on a second line.
+/// may follow, after a line break.
 #[derive(Clone, Debug, PartialEq, Error)]
-#[allow(missing_docs, reason = "each has its sentence")]
+#[allow(missing_docs, reason = "each variant's error message documents it")]
 pub enum Fault {
     // Faults in the text.
     #[error("That's longer than a line should be.")]

@@ -24,7 +24,7 @@ pub struct Call<'a> {
     pub name: &'a str,
     /// The range of the name in the line.
     pub name_range: Range<usize>,
-    /// The receiver, if there is one, followed by the arguments.
+    /// The operands in their order in the line. For a method or a field, the first is the receiver.
     pub operands: &'a [Part],
 }
 
@@ -45,7 +45,7 @@ impl Call<'_> {
     }
 }
 
-/// Explains that a part should have the type `wanted`. The sentence begins with `subject`.
+/// Explains that a part should have the type `wanted`. The explanation begins with `subject`.
 pub fn explain_mismatch(subject: &str, part: &Part, text: &str, wanted: ValueType) -> Fault {
     use ValueType::{Array, Bool, F64, I32, Vector};
     let (actual, text) = (part.code.value_type, &text[part.range.clone()]);
@@ -94,7 +94,7 @@ fn write_member(Function { kind, name, parameters, .. }: &Function) -> String {
     }
 }
 
-/// Puts parentheses around an expression, unless it has them already.
+/// Puts parentheses around an expression that isn't in parentheses already.
 fn ensure_parentheses(text: &str) -> String {
     let has_them = matches!(syn::parse_str(text), Ok(Expr::Paren(_)));
     if has_them { text.to_owned() } else { format!("({text})") }
@@ -124,7 +124,7 @@ fn is_near_chain(name: &str, known: &str) -> bool {
 }
 
 impl Compiler<'_> {
-    /// Explains why a call isn't possible. The refusal contains the range of the line to mark.
+    /// Explains why a call isn't possible. The refusal contains the range to mark in the line.
     pub fn explain_refused_call(&self, call: &Call) -> Refusal {
         if call.kind.is_member() && !call.members().any(|member| member.name == call.name) {
             return self.explain_unknown_member(call);
@@ -154,7 +154,8 @@ impl Compiler<'_> {
             let vector = wanted_types.iter().position(|one| *one == ValueType::Vector);
             wanted_types[..=vector.unwrap_or(0)].rotate_right(1);
         }
-        // A receiver has the right type, because its type has the field or method.
+        // The type of a receiver can't be wrong, because this type has the field or method in the
+        // call.
         let first = usize::from(call.kind.is_member());
         for value_type in wanted_types {
             for (index, operand) in call.operands.iter().enumerate().skip(first).rev() {
@@ -233,8 +234,8 @@ impl Compiler<'_> {
         }
     }
 
-    /// Explains why the operands of a call don't fit a function with these parameters. There are
-    /// too few or too many operands, or one of them has the wrong type.
+    /// Explains why the operands of a call don't fit a function with these parameters. Either their
+    /// number is wrong, or one of them has the wrong type.
     fn explain_wrong_operands(&self, call: &Call, parameters: &[ValueType]) -> Refusal {
         let mut pairs = call.operands.iter().zip(parameters);
         let mismatch = pairs.find(|(operand, wanted)| operand.code.value_type != **wanted);
@@ -254,8 +255,9 @@ impl Compiler<'_> {
         Refusal { range: call.name_range.clone(), fault }
     }
 
-    /// Explains that the receiver has no such field or method. The explanation offers a similar
-    /// name, or says which other type has this member, or lists the receiver's members.
+    /// Explains that the receiver has no field or method with the name in `call`. The explanation
+    /// suggests a similar name, or says which other type has such a member, or lists the receiver's
+    /// members.
     fn explain_unknown_member(&self, call: &Call) -> Refusal {
         let Call { syntax, kind, name: member, operands, .. } = *call;
         let name_range = call.name_range.clone();
@@ -307,9 +309,9 @@ impl Compiler<'_> {
         Refusal { range: name_range, fault }
     }
 
-    /// Explains that there is no such name. The explanation offers a method or a similar name, or
-    /// lists the names that exist. A call has operands only if the line uses the name as a
-    /// function. The operands are then the function's arguments.
+    /// Explains that the name in `call` is unknown. The explanation suggests a method or a similar
+    /// name, or lists the known names. The call has operands only if the line uses the name as a
+    /// function. In that case, the operands are the function's arguments.
     fn explain_unknown_name(&self, call: &Call) -> Refusal {
         let Call { syntax, name, operands, .. } = *call;
         if let Some(cure) = self.write_as_method(name, operands) {
@@ -366,7 +368,8 @@ impl Compiler<'_> {
         })
     }
 
-    /// Finds the variable or function path with the spelling closest to `name`.
+    /// Finds a known name that is close to `name`: a variable, or the path of a function or
+    /// constant.
     fn find_near_name_or_path(&self, name: &str) -> Option<String> {
         let variables = || self.names.iter().map(|(known, _)| &**known);
         let converted = format!("f64::from({name})");
@@ -394,8 +397,9 @@ impl Compiler<'_> {
         })
     }
 
-    /// Returns the place's name that equals this one except for spaces, as places.txt has it. If
-    /// there is none, returns the name unchanged.
+    /// Restores the spaces in the name of a variable. If a variable of the place has this name,
+    /// apart from spaces, returns the name as it is written in places.txt. Otherwise, returns
+    /// `name_without_spaces`.
     fn restore_spaces_in_name(&self, name_without_spaces: &str) -> String {
         let variables = self.place.variables.iter().map(|(name, _)| *name);
         let mut names = variables
@@ -404,7 +408,7 @@ impl Compiler<'_> {
     }
 
     /// Refuses a chain such as `hit.object.name` if a known name, such as `hit.t`, begins with the
-    /// same word, but the chain doesn't begin with any whole known name.
+    /// chain's first word, but the chain doesn't begin with any complete known name.
     pub fn refuse_unknown_chain(&self, syntax: &Expr) -> Option<Refusal> {
         let mut links = vec![syntax];
         while let Some(inner) = links.last().and_then(|link| match link {
@@ -450,9 +454,9 @@ impl Compiler<'_> {
         Some(Refusal { range, fault })
     }
 
-    /// Refuses a call such as `direction_colour(ray)`, in which the function is unknown and an
-    /// argument isn't a value by itself. Without this check, the reader would be told about the
-    /// argument, although it's the function that can't be used here.
+    /// Refuses a call such as `direction_colour(ray)`: its function is unknown, and an argument
+    /// isn't a value by itself. Without this check, the reader would be told that the argument is
+    /// wrong, although the function is what can't be used here.
     pub fn refuse_unknown_function_of_unknown_chain(&self, syntax: &Expr) -> Option<Refusal> {
         let Expr::Call(call) = syntax else { return None };
         let name = write_without_spaces(&call.func);

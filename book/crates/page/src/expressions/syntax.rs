@@ -16,8 +16,8 @@ const COMPARISON_CHAIN: &str = "comparison operators cannot be chained";
 /// however deeply it is nested.
 const MAX_LENGTH: usize = 250;
 
-/// Parses a line. It has to be an expression. A line at the end of a block may also consist of
-/// statements followed by a value.
+/// Parses a line, which has to be an expression. At the end of a block, the line may also consist
+/// of statements followed by a value.
 pub fn parse_syntax(place: &Place, text: &str) -> Result<Vec<Stmt>, Refusal> {
     let has_note = |note| place.notes.contains(&note);
     let ends_block = has_note(PlaceNote::EndsBlock);
@@ -38,8 +38,8 @@ pub fn parse_syntax(place: &Place, text: &str) -> Result<Vec<Stmt>, Refusal> {
     Err(refusal)
 }
 
-/// Returns where a `//` comment begins in the last row of the text, if there is one. In the
-/// listing, such a comment would hide whatever follows the text.
+/// Returns where a `//` comment begins in the last row of the text, if the row has one. In the
+/// listing, such a comment would hide the code that follows the text.
 fn find_line_comment_in_last_row(text: &str) -> Option<usize> {
     let (mut depth, mut at) = (0, 0);
     while at < text.len() {

@@ -5,7 +5,7 @@ use glam::DVec3;
 
 /// The value of a line or of a part of a line.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[allow(missing_docs, reason = "each is named after its type")]
+#[allow(missing_docs, reason = "each variant is named after its type")]
 pub enum Value {
     F64(f64),
     Vector(DVec3),

@@ -1,6 +1,6 @@
-//! Applies the cures to the lines in lines.txt. Each line that is then accepted is written into a
-//! copy of its step. The copies must compile, and must draw the same pictures that a page of the
-//! book draws from these lines.
+//! Applies all suggested cures to the lines in lines.txt. Writes each line that is then accepted
+//! into a copy of its step. The copy must compile, and must draw the same picture that a page of
+//! the book draws with this line.
 
 use crate::lines::cure_line;
 use course::{
@@ -13,15 +13,16 @@ use std::fs;
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::Path;
 
-/// The manifest of the program that contains the copies. The dependencies are added later.
+/// The manifest of the program that contains the copies of steps, without the dependencies. The
+/// function `dependencies_of_step_copies` returns the dependencies.
 const MANIFEST: &str = r#"
 workspace = {}
 package = { name = "lines", edition = "2024" }
 profile.dev = { debug = false, incremental = false }
 "#;
 
-/// The beginning of the program's main file. The modules and the calls of `print_hash` are appended
-/// to it, with one call for each line.
+/// The beginning of the program's main.rs. For each line, the test appends a module, and a call of
+/// `print_hash`.
 const MAIN: &str = "#![allow(warnings)]
 use std::hash::{DefaultHasher, Hash, Hasher};
 
@@ -34,8 +35,8 @@ fn print_hash(picture: image::RgbImage) {
 
 const COLUMNS: u32 = 64;
 
-/// Returns the accepted lines that draw a picture, without duplicates, each with the hash of its
-/// picture.
+/// Returns the accepted lines that draw a picture, without duplicates. Each line comes with its
+/// place and the hash of its picture.
 fn accepted_lines_with_hashes() -> Vec<(Place, String, u64)> {
     let mut known_lines = BTreeSet::new();
     let lines = include_str!("lines.txt").lines().filter_map(|line| {
@@ -51,27 +52,30 @@ fn accepted_lines_with_hashes() -> Vec<(Place, String, u64)> {
     lines.collect()
 }
 
-/// Writes a copy of the place's step as a module with this name. In the copy, `text` replaces the
-/// place's code.
+/// Writes a copy of the step that contains `place`, as the module `module`. In the copy, `text`
+/// replaces the code at the place.
 fn write_step(source_folder: &Path, place: &Place, text: &str, module: &str) {
     let step = place.step().name();
     let folder = source_folder.join(module);
-    fs::create_dir_all(&folder).expect("a folder");
-    for file in workspace().join("steps").join(step).join("src").read_dir().expect("a folder") {
-        let path = file.expect("a file").path();
+    fs::create_dir_all(&folder).expect("the folder can be created");
+    for file in
+        workspace().join("steps").join(step).join("src").read_dir().expect("the folder can be read")
+    {
+        let path = file.expect("the folder can be read").path();
         let name = path.file_name().and_then(|name| name.to_str()).expect("a name");
-        let mut code = fs::read_to_string(&path).expect("a text");
+        let mut code = fs::read_to_string(&path).expect("the file can be read");
         if place.file == format!("{step}/src/{name}") {
             let range = place.find_range(&code).expect("the place");
             code.replace_range(range, text);
         }
         let name = if name == "lib.rs" { "mod.rs" } else { name };
-        fs::write(folder.join(name), crate_as_module(&code, module, [])).expect("a file");
+        fs::write(folder.join(name), crate_as_module(&code, module, []))
+            .expect("the file can be written");
     }
 }
 
 #[test]
-#[ignore = "compiles sixty copies of a step"]
+#[ignore = "compiles sixty copies of steps"]
 fn accepted_lines_draw_the_same_picture_in_their_steps() {
     let folder = target_folder().join("lines");
     let _ = fs::remove_dir_all(folder.join("src"));
@@ -82,14 +86,15 @@ fn accepted_lines_draw_the_same_picture_in_their_steps() {
         let module = format!("m{index}");
         write_step(&folder.join("src"), place, text, &module);
         modules += &format!("mod {module};\n");
-        // A copy of step 1 defines its own `Camera`. The other steps use the one in `step01_rays`.
+        // A copy of step 1 defines its own `Camera`. The copies of other steps use the `Camera` in
+        // the crate `step01_rays`.
         let owner = if place.step() == Step::Rays { &module } else { "step01_rays" };
         let camera = format!("{owner}::Camera::new({COLUMNS}, 36, 60_f64.to_radians())");
         calls += &format!("print_hash({module}::picture(&{camera}, 1));\n");
     }
     let main = format!("{MAIN}\n{modules}\nfn main() {{\n{calls}}}\n");
-    fs::write(folder.join("src/main.rs"), main).expect("a file");
-    fs::write(folder.join("Cargo.toml"), manifest).expect("a file");
+    fs::write(folder.join("src/main.rs"), main).expect("the file can be written");
+    fs::write(folder.join("Cargo.toml"), manifest).expect("the file can be written");
     fs::copy(workspace().join("Cargo.lock"), folder.join("Cargo.lock"))
         .expect("the lock file can be copied");
     let mut cargo = cargo_command();

@@ -29,8 +29,8 @@ const PROGRAM: &str = "#![allow(warnings)] use glam::DVec3; use std::panic::*; f
 /// - `;` stands for a comma.
 /// - `#` stands for a semicolon.
 ///
-/// If the name of a list of patterns ends with `?`, the list contains typical slips. Most of these
-/// are refused with a cure.
+/// If the name of a list of patterns ends with `?`, the list contains typical slips. Most lines
+/// with a slip are refused with a cure.
 fn write_random_line(rng: &mut Rng, type_initial: &str, depth: usize) -> String {
     let is_wrong = rng.u8(..) < 5;
     let is_slip = depth > 0 && "fDb".contains(type_initial) && rng.u8(..) < 20;
@@ -57,10 +57,10 @@ fn write_random_line(rng: &mut Rng, type_initial: &str, depth: usize) -> String 
 /// panics, or None if rustc refuses the line.
 fn evaluate_with_rustc(lines: &[(&str, String)]) -> Vec<Option<String>> {
     let folder = target_folder().join("judge");
-    fs::create_dir_all(folder.join("src")).expect("a folder");
+    fs::create_dir_all(folder.join("src")).expect("the folder can be created");
     fs::copy(workspace().join("Cargo.lock"), folder.join("Cargo.lock"))
         .expect("the lock file can be copied");
-    fs::write(folder.join("Cargo.toml"), MANIFEST).expect("a file");
+    fs::write(folder.join("Cargo.toml"), MANIFEST).expect("the file can be written");
     let mut refused_lines = BTreeSet::new();
     loop {
         let is_judged = |index: &usize| !refused_lines.contains(index);
@@ -68,14 +68,15 @@ fn evaluate_with_rustc(lines: &[(&str, String)]) -> Vec<Option<String>> {
             true => format!(
                 "fn f{index}({PARAMETERS}) -> String {{ let x: {kind} = {text}; format!(\"{{x:?}}\") }}\n"
             ),
-            // An empty line keeps the line numbers of the other functions.
+            // An empty line stands in for the function, so that later functions keep their line
+            // numbers.
             false => "\n".to_owned(),
         };
         let functions: String = lines.iter().enumerate().map(function).collect();
         let names = (0..lines.len()).filter(is_judged).map(|index| format!("f{index}, "));
         let names: String = names.collect();
         let source = format!("{PROGRAM}{functions}const ALL: &[{KIND}] = &[{names}];");
-        fs::write(folder.join("src/main.rs"), source).expect("a file");
+        fs::write(folder.join("src/main.rs"), source).expect("the file can be written");
         let mut cargo = cargo_command();
         cargo.args(["run", "-q", "--offline", "--message-format=short", "--target-dir=target"]);
         let output = cargo.current_dir(&folder).output().expect("cargo runs");
@@ -157,5 +158,8 @@ fn random_lines_have_the_values_that_rustc_gives_them() {
     );
     assert_eq!(wrong, "");
     assert!(equal_cures > 50, "only {equal_cures} cured lines have the right value");
-    assert!(equal > 400 && only_here.lines().count() < 80, "{equal} are equal");
+    assert!(
+        equal > 400 && only_here.lines().count() < 80,
+        "{equal} lines have the value that rustc gives them"
+    );
 }

@@ -28,7 +28,7 @@ fn refused_lines_have_their_range_and_sentence() {
 ///
 /// # Panics
 ///
-/// Panics if the code that a cure has inserted is itself refused, except for its type.
+/// Panics if the code that a cure has inserted is itself refused for any reason except its type.
 pub fn cure_line(place: &Place, text: &str) -> String {
     let mut cured = text.to_owned();
     let mut last = None;

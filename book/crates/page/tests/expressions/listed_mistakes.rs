@@ -1,5 +1,5 @@
-//! The book's code, typed at a place, draws the locked picture. A listed mistake typed there draws
-//! the picture that belongs to that mistake.
+//! Tests that the book's code, typed at its place, draws the locked picture, and that the code of a
+//! listed mistake, typed at the same place, draws the picture of that mistake.
 
 use course::environment::is_thorough;
 use course::{
@@ -9,8 +9,8 @@ use course::{
 use page::expressions::{compile_line, draw_step_of_first_line};
 use std::{fs, iter::once};
 
-/// Draws the book's code at every place, and every tenth of the listed mistakes that change only
-/// that place. With THOROUGH=1, draws all of these mistakes.
+/// For every place, draws the book's code, and every tenth listed mistake that changes only this
+/// place. With THOROUGH=1, draws every such mistake.
 #[test]
 fn places_and_listed_mistakes_are_drawn_by_an_edited_line() {
     let step = if is_thorough() { 1 } else { 10 };
@@ -43,10 +43,10 @@ fn places_and_listed_mistakes_are_drawn_by_an_edited_line() {
 }
 
 /// Returns the book's code for `place`, and the code of every mistake that changes only this place.
-/// Each code comes with the hash of the picture that it draws.
+/// Each piece of code comes with the hash of the picture that it draws.
 fn right_and_mistaken_codes_with_hashes(place: &Place) -> Vec<(String, u64)> {
     let path = format!("steps/{}", place.file);
-    let text = fs::read_to_string(workspace().join(&path)).expect("a file");
+    let text = fs::read_to_string(workspace().join(&path)).expect("the file can be read");
     let lines: Vec<_> = text.lines().map(str::trim_start).collect();
     let bare = lines.join("\n");
     let range = place.find_range(&bare).expect("the place");
