@@ -3,8 +3,8 @@
 // What every page needs: the theme, the contents, the listings, the problems on paper, and the
 // loading of the other scripts.
 
-// The only name that the scripts share. Each script adds its part to this object, and
-// tests/browser/theme.d.ts describes all parts.
+// The only variable that the scripts share. Each script adds members to this object. The file
+// tests/browser/theme.d.ts describes all members.
 /** @type {Book} */
 const book = /** @type {any} */ ({ root: document.documentElement });
 {
@@ -21,7 +21,7 @@ const book = /** @type {any} */ ({ root: document.documentElement });
             createHTML: text => isOwnHTML ? text : null,
             createScriptURL: address => ownAddresses.has(address) ? address : null,
         });
-    } catch { /* not allowed */ }
+    } catch { /* The server forbids the policy. */ }
 
     book.trustAddress = address => { ownAddresses.add(address); };
 
@@ -60,14 +60,14 @@ const book = /** @type {any} */ ({ root: document.documentElement });
         setTimeout(() => { button.textContent = label; }, 1500);
     };
 
-    // What a reader has done is stored in the browser, and nowhere else. In a private window, a
-    // browser may refuse to store anything.
+    // What a reader does on a page is stored only in the browser. In a private window, a browser
+    // may refuse to store anything.
     book.recall = name => {
-        try { return JSON.parse(localStorage.getItem(name)) ?? {}; } catch { return {}; /* private */ }
+        try { return JSON.parse(localStorage.getItem(name)) ?? {}; } catch { return {}; /* a private window */ }
     };
 
     book.store = (name, key, value) => {
-        try { localStorage.setItem(name, JSON.stringify({ ...book.recall(name), [key]: value })); } catch { /* private */ }
+        try { localStorage.setItem(name, JSON.stringify({ ...book.recall(name), [key]: value })); } catch { /* a private window */ }
     };
 
     book.readNumber = text => {
@@ -122,12 +122,12 @@ const book = /** @type {any} */ ({ root: document.documentElement });
     }
     book.History = History;
 
-    // Once a part of the page has come near the view, it stays laid out.
+    // Once an element has come near the view, it stays laid out.
     book.whenNear(document.querySelectorAll("main > *"), part => { part.style.contentVisibility = "visible"; });
 
-    // The theme. At `auto`, it follows the system. The first click then chooses the theme that the
-    // system doesn't use, so that something changes. The second click chooses the other theme, and
-    // the third returns to `auto`.
+    // The theme. While `auto` is chosen, the theme is the system's. From `auto`, the first click
+    // chooses the theme that the system doesn't use, so that the page changes visibly. The second
+    // click chooses the system's theme, and the third click returns to `auto`.
     {
         const others = matchMedia("(prefers-color-scheme: dark)").matches ? ["light", "dark"] : ["dark", "light"];
         const themes = ["auto", ...others];
@@ -139,16 +139,16 @@ const book = /** @type {any} */ ({ root: document.documentElement });
             button.setAttribute("aria-label", button.title);
         };
         let kept = "auto";
-        try { kept = localStorage.getItem("theme") ?? kept; } catch { /* private */ }
+        try { kept = localStorage.getItem("theme") ?? kept; } catch { /* a private window */ }
         show(themes.includes(kept) ? kept : "auto");
         button.addEventListener("click", () => {
             show(themes[(themes.indexOf(root.dataset.theme) + 1) % themes.length]);
-            try { localStorage.setItem("theme", root.dataset.theme); } catch { /* private */ }
+            try { localStorage.setItem("theme", root.dataset.theme); } catch { /* a private window */ }
         });
     }
 
-    // Contents: mark the current chapter, list its sections as links, and mark the section that is
-    // being read.
+    // The table of contents: mark the current chapter, list the chapter's sections as links, and
+    // mark the section that is being read.
     {
         const contents = document.getElementById("contents");
         // The section being read is the last one whose heading is above the middle of the window.
@@ -178,7 +178,7 @@ const book = /** @type {any} */ ({ root: document.documentElement });
         // Some servers leave out `.html` in the addresses of pages.
         /** @param {{ pathname: string }} url */
         const name = url => url.pathname.split("/").pop().replace(/\.html$/, "");
-        // A step gets a tick once the reader's picture of that step has been right.
+        // A step gets a tick once a check has found the reader's picture of the step right.
         book.markRight = () => {
             const right = book.recall("right");
             for (const link of links) {
@@ -247,8 +247,8 @@ const book = /** @type {any} */ ({ root: document.documentElement });
         try { book.writeHTML(() => window.hljs?.highlightBlock(code)); } catch { /* The code stays without colours. */ }
     };
     book.colour = code => void book.load("highlight.js").then(isLoaded => isLoaded && setTimeout(() => {
-        // Leave a listing alone while it is being edited. Colouring replaces its lines. If one of
-        // them has the focus, move the focus to its replacement.
+        // Don't colour a listing that is being edited. Colouring replaces the elements of the
+        // listing's lines. If a line has the focus, move the focus to the line's new element.
         if (code.querySelector("[data-book]")) return;
         const name = code.querySelector(":focus")?.dataset.line;
         book.colourCode(code);
@@ -264,9 +264,10 @@ const book = /** @type {any} */ ({ root: document.documentElement });
             const copy = /** @type {Element} */ (code.cloneNode(true));
             const edited = copy.querySelectorAll("[data-book]");
             for (const line of edited) line.textContent = line.dataset.book;
-            // A file may be shown in several listings, to be pasted one below the other. A later one
-            // begins with the blank line above it. If an earlier one ended with that line, an editor
-            // that formats the file would drop it.
+            // A file may be shown in several listings, to be pasted one below the other. A blank
+            // line between two listings is copied with the lower listing. If it were copied with
+            // the upper listing, it would be the last line of the file at first, and an editor that
+            // formats the file would drop it.
             const start = caption.parentElement.matches("[data-below-blank]") ? "\n" : "";
             const text = `${start}${copy.textContent.trimEnd()}\n`;
             book.copyAndReport(button, text, edited.length ? "Copied, without your lines" : "Copied");
@@ -283,7 +284,7 @@ const book = /** @type {any} */ ({ root: document.documentElement });
         });
     }
 
-    // Problems on paper: a number is right if its relative error is at most the tolerance.
+    // Problems on paper: an answer is right if its relative error is at most the tolerance.
     for (const problem of isWhole ? [] : document.querySelectorAll(".problem")) {
         const [answer, tolerance] = [problem.dataset.answer, problem.dataset.tolerance].map(Number);
         const number = problem.querySelector(".number").textContent;
@@ -314,11 +315,12 @@ const book = /** @type {any} */ ({ root: document.documentElement });
         form.hidden = false;
     }
 
-    // Make parts that may scroll sideways focusable, so that the keyboard can scroll them.
+    // Make elements that may scroll sideways focusable, so that readers can scroll them with the
+    // keyboard.
     document.querySelectorAll("main :is(pre, .table-wrapper)").forEach(part => { part.tabIndex = 0; });
 
-    // Not all browsers take a figure's accessible name from its caption, so say where the name is.
-    // The name of a listing is the path of its file.
+    // Not all browsers take a figure's accessible name from its caption, so refer each figure to
+    // its caption. The accessible name of a listing is the path of its file.
     document.querySelectorAll("figure:not([aria-label]) > figcaption").forEach((caption, k) => {
         const label = caption.querySelector(".path") ?? caption;
         label.id ||= `caption-${k}`;
@@ -329,7 +331,7 @@ const book = /** @type {any} */ ({ root: document.documentElement });
     document.querySelectorAll("code, math, svg, .symbol, .path").forEach(part => part.setAttribute("translate", "no"));
 
     // The scripts that only some pages need. The selector of a script matches the elements that
-    // need the script. The scripts run in this order.
+    // need the script. The scripts run in the order of this list.
     const SCRIPTS = {
         wasm: "[data-live], .woken, [data-check], [data-places]", handle: "figure:is([data-live], .woken)",
         own_scene: "figure:is([data-live=own_scene], [data-preview=own_scene].woken)",

@@ -3,8 +3,8 @@
 // The forms that say whether a picture is right. The module `check` examines the file inside the
 // browser. The file isn't sent anywhere.
 {
-    // The module runs in a worker, so that the page stays usable meanwhile. If the reader chooses a
-    // new file or presses Reset, the worker is terminated.
+    // The module runs in a worker, so that the page stays usable while a file is checked. If the
+    // reader chooses a new file or presses Reset, the worker is terminated.
     const source = `const book = { ask: ${book.ask}, startModule: ${book.startModule}, Refusal: ${book.Refusal} };
         onmessage = async ({ data: [module, file, request] }) => {
             const reply = book.ask(await book.startModule(module), request, new Uint8Array(file));
@@ -15,7 +15,7 @@
     book.trustAddress(address);
 
     // The value of `data-check` in a form that accepts any picture. For such a form, `check` finds
-    // out which picture the file should be.
+    // out which picture the file should show.
     const ANY_PICTURE = "*";
 
     const LABELS = ["Yours", "Ours", "The difference: orange where yours is brighter, blue where it's darker"];
@@ -24,8 +24,8 @@
     // contain these pictures side by side.
     /** @param {CheckReply} reply */
     function makeReport({ lines: [headline, ...details], links, size, pixels }) {
-        // In a listed mistake, the right lines start with a minus. The wrong lines that were
-        // written instead start with a plus.
+        // In a listed mistake, the correct lines of code start with a minus, and the wrong lines
+        // that were written instead start with a plus.
         const parts = details.map((line, k) => {
             const end = k + 1 < details.length ? "\n" : "";
             const address = links?.[line];
@@ -73,7 +73,8 @@
             }
             const { scene: field } = /** @type {any} */ (form.elements);
             const scene = field?.value.trim().normalize();
-            // Ignores a reply that arrives after Reset, or after a newer file was chosen.
+            // Shows a reply, unless the reader has pressed Reset or chosen a newer file since the
+            // request.
             /** @param {ExitCode | ""} exitCode @param {(Node | string)[]} children */
             const showIfAsked = (exitCode, ...children) => {
                 if (asked === worker) show(exitCode, ...children);
@@ -89,14 +90,14 @@
             /** @type {ModuleRequest} */
             const request = scene ? { request: "check-scene", fileName: file.name, person: scene }
                 : { request: "check", fileName: file.name, picture: expected };
-            // `check` refuses files of more than 2 ** 26 bytes. Read at most one byte more, which is
-            // enough for `check` to refuse the file.
+            // `check` refuses files of more than 2 ** 26 bytes. Read only the first 2 ** 26 + 1
+            // bytes of a larger file: `check` refuses these bytes, too.
             Promise.all([book.modules.compile("check"), file.slice(0, 2 ** 26 + 1).arrayBuffer()])
                 .then(parts => asked.postMessage([...parts, request]), fail);
         };
         form.addEventListener("change", () => { if (input.files.length) checkFile(input.files[0]); });
-        // Clear the field. Otherwise, choosing the same file again after it has changed wouldn't
-        // fire an event.
+        // Clear the field. Otherwise, no event would be fired if the reader changes the file and
+        // chooses it again.
         input.addEventListener("click", () => { input.value = ""; });
         form.addEventListener("reset", () => show(""));
         form.hidden = false;

@@ -9,7 +9,8 @@
     // columns.
     const FRAME = 60, REST = 150;
     // At rest, the cover's picture is drawn with as many columns as the image in the page's HTML.
-    // If that takes longer than LONGEST_REST_FRAME milliseconds, it is drawn with fewer columns.
+    // If drawing this picture takes longer than LONGEST_REST_FRAME milliseconds, the picture is
+    // drawn with fewer columns.
     const LONGEST_REST_FRAME = 300;
 
     // In an address that chooses a pixel, this prefix precedes the pixel's column and row.
@@ -38,8 +39,8 @@
             // "470,120". It's null until the probe has been shown.
             /** @type {string | null} */
             this.pixel = null;
-            // Whether the next pixel counts as the reader's choice even if it's the same pixel as
-            // before.
+            // Whether the next pixel that is shown counts as the reader's choice, even if it's the
+            // same pixel as before.
             this.isPixelChosenAgain = false;
             /** @type {FigureAbout} */
             this.about = book.ask(module, { request: "about", figure: this.name });
@@ -118,7 +119,7 @@
             this.frame = 0;
         }
 
-        // Finds the parts of the page outside the figure that depend on the figure's values.
+        // Finds the elements outside the figure whose contents depend on the figure's values.
         findReadouts() {
             const { name } = this;
             this.panel = /** @type {HTMLDetailsElement} */ (document.querySelector(`[data-panel="${name}"]`));
@@ -161,15 +162,16 @@
             this.draw(gesture, [1, 2].find(k => this.wholeTime / k ** 2 <= FRAME) ?? 4);
         }
 
-        // Draws in the next frame. If there are several gestures before that, only the last counts.
+        // Draws in the next frame. If several gestures come before the next frame, only the last is
+        // drawn.
         /** @param {Gesture} gesture */
         drawNextFrame(gesture) {
             cancelAnimationFrame(this.frame);
             this.frame = requestAnimationFrame(() => this.drawMoving(gesture));
         }
 
-        // Finds the controls that the builder has written into the page. A parameter has either a
-        // switch, or a slider, a number field or both.
+        // Finds the controls that the builder has written into the page. The control of a parameter
+        // is a switch, a slider, a number field, or a slider with a number field.
         findControls() {
             /** @type {Map<string, Control>} */
             this.parameterControls = new Map();
@@ -183,7 +185,8 @@
                 const control = { element, inputs, output: element.querySelector("b"), object: element.dataset.object };
                 this.parameterControls.set(parameter.id, control);
             }
-            // Only now, because a copy has to be like a control that was printed.
+            // Call `followInput` only now, because it changes a control, and `copyControl` has to
+            // copy unchanged controls.
             for (const parameter of this.about.parameters) {
                 for (const input of this.controlOf(parameter.id).inputs) this.followInput(input, parameter);
             }
@@ -199,9 +202,9 @@
             return this.controls.querySelector(`[data-parameter="${id}"]`);
         }
 
-        // Copies the control of another object. In an editable scene, the builder prints the
-        // controls of the first sphere and the first light only. All spheres have the same
-        // parameters, and so have all lights.
+        // Makes the control of a parameter by copying the control of another object. In an editable
+        // scene, the builder prints the controls of only one sphere and one light, because all
+        // spheres have the same parameters, and all lights do, too.
         /** @param {ParameterAbout} parameter */
         copyControl({ id, min, max, step }) {
             const beginId = (/** @type {string} */ object) => `${object.replaceAll(" ", "-")}-`;
@@ -230,8 +233,8 @@
                 this.setValue(id, value);
                 this.drawNextFrame({ request: "show" });
             });
-            // If a finger begins to scroll the page on a slider, it moves the slider first. Once
-            // the browser takes the gesture as scrolling, put the value back.
+            // A finger that scrolls the page may first move a slider beneath the finger. Once the
+            // browser treats the gesture as scrolling, restore the slider's value.
             let before = this.values[id];
             input.addEventListener("pointerdown", () => { before = this.values[id]; });
             input.addEventListener("pointercancel", () => {
@@ -239,12 +242,12 @@
                 this.setValue(id, before);
                 this.drawNextFrame({ request: "show" });
             });
-            // Turn a number field into a text field, which also accepts 58,72 and 1/2. When the
-            // reader leaves the field, the nearest allowed number replaces what was typed. The
-            // arrow keys still change the number by one step.
+            // Turn a number field into a text field, which also accepts a decimal comma (58,72) and
+            // a fraction (1/2). When the reader leaves the field, the nearest allowed number
+            // replaces what was typed. The arrow keys still change the number by one step.
             if (input.type !== "number") return;
             input.type = "text";
-            // A phone's keypad for decimal numbers has no minus.
+            // A phone's keypad for decimal numbers has no minus sign.
             if (min >= 0) input.inputMode = "decimal";
             input.addEventListener("focus", () => input.select());
             input.addEventListener("change", () => { input.value = String(this.values[id]); });
@@ -309,7 +312,8 @@
                 this.values = this.reply.values;
                 this.showControls();
                 if (!(error instanceof book.Refusal)) throw error;
-                // Only a typed number needs an explanation. A handle at its limit just stays there.
+                // Only a typed number needs an explanation. A handle that can't move any further
+                // just stays where it is.
                 if (document.activeElement?.matches("input[type=text]")) this.fault.textContent = "There is nothing to show at that number.";
             }
         }
@@ -354,8 +358,8 @@
             book.writeHTML(() => { this.companion.querySelector("g").innerHTML = drawing; });
         }
 
-        // Fills in the readouts. If a readout doesn't exist at these values, it is left empty, and
-        // the text about it is hidden.
+        // Fills in the readouts. A readout without a value is left empty, and the text about the
+        // readout is hidden.
         /** @param {FigureReply} reply */
         showReadouts({ readouts, program }) {
             /** @type {(key: string) => string} */
@@ -374,7 +378,7 @@
             book.colourCode(this.code);
         }
 
-        // Marks the lines of the program that weren't there before the last change.
+        // Marks the lines of the program that the last change has added.
         markChangedLines() {
             if (!this.oldLines) return;
             const ranges = [];
@@ -425,8 +429,8 @@
             this.addressTimer = setTimeout(() => writeHash(PIXEL + this.pixel), REST);
         }
 
-        // Treats the next pixel shown as chosen by the reader, even if it's the same pixel as
-        // before.
+        // Makes the next pixel that is shown count as the reader's choice, even if it's the same
+        // pixel as before.
         choosePixelAgain() {
             this.isPixelChosenAgain = true;
         }
@@ -440,14 +444,14 @@
             if (location.hash.startsWith(PIXEL)) writeHash("");
         }
 
-        // Opens or closes the panel. If there is a margin, an open panel takes it over.
+        // Opens or closes the panel. If the page has a margin, an open panel takes over the margin.
         /** @param {boolean} isOpen */
         openPanel(isOpen) {
             this.panel.open = isOpen;
             this.panel.classList.toggle("tool", isOpen);
         }
 
-        // Makes the probe go where the picture is pressed.
+        // Moves the probe to any point of the picture that is pressed.
         followPresses() {
             /** @type {HTMLButtonElement | null} */
             this.copyLink = null;
@@ -486,9 +490,9 @@
     const figures = new Map();
 
     // An ordinary figure becomes interactive when it comes near the view. A preview becomes
-    // interactive only when a reader points at it. The module isn't loaded any earlier. If loading
-    // fails, the page says why. After five seconds, it tries again as soon as the figure is near the
-    // view.
+    // interactive only when a reader points at the preview. The module is loaded only at that time.
+    // If loading fails, the page says why. Five seconds later, the page tries again as soon as the
+    // figure is near the view.
     /** @param {HTMLElement} root */
     book.activateFigure = async root => {
         const controls = root.querySelector(".controls");
@@ -532,7 +536,8 @@
     }
 
     // Moves the probe to the pixel in the address, if the probe's picture is interactive by now.
-    // This doesn't scroll to the picture, because the reader may have gone elsewhere meanwhile.
+    // Doesn't scroll to the picture, because the reader may have scrolled elsewhere in the
+    // meantime.
     function movePixelOfAddress() {
         const { root, i, j } = findPixelOfAddress() || {};
         const figure = figures.get(root);

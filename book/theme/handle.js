@@ -76,8 +76,8 @@
             this.figure.drawMoving({ request: this === this.figure.probe ? "read" : "show" });
         }
 
-        // Moves the handle to an end of its range or, if there is nothing to show there, as close
-        // to that end as possible.
+        // Moves the handle to an end of its range. If the figure has nothing to show at that end,
+        // moves the handle as close to the end as possible.
         /** @param {"min" | "max"} end */
         moveToEnd(end) {
             const { figure, about: { horizontal } } = this;
@@ -95,8 +95,8 @@
             const { figure, element, about } = this;
             const { values, reply: { positions, texts }, size } = figure;
             this.position = positions[this.index];
-            // A handle's values are rounded to steps, so at the border of the figure, the handle
-            // may be a little outside.
+            // A handle's values are rounded to steps, so a handle at the border of the figure may
+            // be a little outside the figure.
             const isInside = this.position?.every((x, k) => -4 <= x && x <= size[k] + 4) ?? false;
             const isLost = !isInside && element === document.activeElement;
             element.hidden = !isInside;

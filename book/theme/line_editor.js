@@ -1,16 +1,16 @@
 "use strict";
 
 // The lines in listings that the reader can edit. A click or a key press on a line selects the
-// line. A panel below the listing then shows the picture that the step draws with the edited lines.
-// The module `expressions`, which contains the five steps, draws this picture with the reader's
-// text in place of the book's. Only one line at a time is selected, but all edited lines keep their
-// text.
+// line. A panel below or beside the listing then shows the picture that the step draws with the
+// edited lines. The module `expressions`, which contains the five steps, draws this picture with
+// the reader's text instead of the book's. Only one line at a time is selected, but all edited
+// lines keep their text.
 {
     const SMALL = 320, LARGE = 640; // The columns of a picture while the reader types, and at rest.
     const REST = 300; // Rest begins this many milliseconds after the last key press.
 
-    // Finds a line by its name. Call this instead of storing the element, because colouring a
-    // listing replaces the elements of its lines.
+    // Finds a line by its name. Call this function instead of storing the element, because
+    // colouring a listing replaces the elements of its lines.
     /** @type {(name: string) => EditedLine} */
     const find = name => document.querySelector(`[data-line="${name}"]`);
     /** @type {EditedLine | null} */
@@ -22,7 +22,7 @@
     let restTimer = 0;
     // What is wrong with the link that the reader followed, if anything.
     let linkFault = "";
-    // What the last Undo or Redo did. It is cleared once something is typed.
+    // A sentence that says what the last Undo or Redo did. It is cleared when the reader types.
     let undone = "";
 
     /** @type {(words: string, act: () => void, label?: string) => HTMLButtonElement} */
@@ -47,7 +47,7 @@
     const lineOf = event => /** @type {Element} */ (event.target).closest("[data-line]");
 
     // Puts the spaces at the start of a line's second and later rows into elements of their own, so
-    // that they aren't underlined.
+    // that the spaces aren't underlined.
     /** @param {Element} line */
     function separateIndents(line) {
         for (const { 0: spaces, index } of line.textContent.matchAll(/(?<=\n) +/g)) {
@@ -178,7 +178,7 @@
         history.replaceState(null, "", hash.size ? `#${hash}` : location.pathname + location.search);
     }
 
-    // Shows the state that is this many edits later (or earlier, if the number is negative), and
+    // Moves through the history by this many edits (backwards, if the number is negative), and
     // selects the first line that differs.
     /** @param {number} edits */
     function show(edits) {
@@ -257,8 +257,8 @@
         if (isInView) keepInView();
     }
 
-    // Shows a message. The second line of the message, if any, is a list of names. The list is
-    // folded if there is little room.
+    // Shows a message. If the message contains a line break, the text after the line break is a
+    // list of names. In a small window, the list is folded.
     /** @param {string} text */
     function say(text) {
         const [sentence, list] = text.split("\n");
@@ -290,8 +290,9 @@
         if (line) window.CSS.highlights?.set("wrong", new Highlight(book.makeRange(line, from, Math.max(1, to - from))));
     }
 
-    // Opens the edits that are in the address, and selects the line of the first edit. Colours the
-    // listings first, because a listing that contains an edited line isn't coloured any more.
+    // Applies the edits that are in the address, and selects the line of the first edit. Colours
+    // the listings before applying the edits, because a listing that contains an edited line can't
+    // be coloured.
     async function openAddress() {
         const words = new URLSearchParams(location.hash.slice(1)).getAll("line");
         const places = document.querySelectorAll("[data-line]").length;
@@ -316,8 +317,8 @@
         });
     }
 
-    // A click elsewhere deselects a line that still has the book's text. The listener is called in
-    // the capture phase, before a click on Undo can select a line.
+    // A click outside the line's listing and the panel deselects a line that still has the book's
+    // text. The listener is called in the capture phase, before a click on Undo can select a line.
     addEventListener("click", event => {
         if (selected && isBook(selected) && ![tool, selected.closest("figure")].some(part => event.composedPath().includes(part))) {
             keepPlace(/** @type {Element} */ (event.target), deselect);

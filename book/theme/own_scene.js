@@ -49,8 +49,9 @@
     /** @param {InteractiveFigure} figure @param {[number, number]} position @returns {string | null} */
     const pickObject = ({ module, name, values }, position) => book.ask(module, { request: "pick", figure: name, values, position }).object;
 
-    // If the selected object isn't in the scene, selects the first one that is. This is only for
-    // scenes from an address or from the history: a reader may select a missing sphere to add it.
+    // If the selected object isn't in the scene, selects the first object that is in the scene.
+    // Call this function only after a whole scene has been replaced: at other times, a reader may
+    // select a missing sphere in order to add it.
     /** @param {InteractiveFigure} figure */
     function selectPresent(figure) {
         const { handles, objectSelect, values } = figure;
@@ -80,8 +81,8 @@
         });
     }
 
-    // Adds Undo and Redo. Returns a function that records the values of the scene. Call this
-    // function when the scene is at rest.
+    // Adds Undo and Redo. Returns a function that records the values of the scene. Call the
+    // returned function when the scene is at rest.
     /** @param {InteractiveFigure} figure @param {AddTool} addTool */
     function addHistory(figure, addTool) {
         const states = new book.History(figure.values);
@@ -167,8 +168,8 @@
         });
     }
 
-    // Adds a field for the colour of the chosen object. The field is hidden if this object has no
-    // colour.
+    // Adds a field for the colour of the chosen object. The field is hidden while the chosen object
+    // has no colour.
     /** @param {InteractiveFigure} figure @param {HTMLElement} tools */
     function addColourField(figure, tools) {
         const field = book.make("input", { type: "color" });

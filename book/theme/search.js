@@ -6,17 +6,18 @@
     const field = /** @type {HTMLInputElement} */ (document.getElementById("search-field"));
     const [toggle, status, list] = ["search-toggle", "search-status", "search-results"].map(id => document.getElementById(id));
 
-    // Longer queries take long and find nothing.
+    // Longer queries would take long and find nothing.
     const MOST_LETTERS = 100, MOST_WORDS = 16, MOST_RESULTS = 30;
     field.maxLength = MOST_LETTERS;
 
     // Words. Queries and the text of the book are treated alike: a text is split into words, and
     // each word has one or more terms by which it is found.
 
-    // What follows an apostrophe, as in "doesn't", isn't a word, and nor is the ending of a file name such as "ray.rs", so
-    // that `t` and `Rs` are found where they stand for something.
+    // The letters after an apostrophe, as in "doesn't", don't count as a word, and neither does the ending of a file
+    // name such as "ray.rs". So a query for the variable `t` or `Rs` doesn't find these texts.
     const WORD = /(?<![\p{L}\p{N}_]|\p{L}['’]|\.(?=rs\b))[\p{L}\p{N}_]+/gu;
-    // Letters of formulas and digits set as exponents become ordinary ones, so that `b^2` and `hRes` are found as b² and ℎ𝑅𝑒𝑠.
+    // Turns the letters of formulas and raised digits into ordinary characters, so that the queries `b^2` and `hRes`
+    // find b² and ℎ𝑅𝑒𝑠.
     /** @type {(text: string) => string} */
     const straighten = text => text.normalize("NFKC").replaceAll("^", "");
     /** @type {(text: string) => string[]} */
@@ -30,16 +31,18 @@
         something still strange take takes tell tells than that the their them then there these they thing things this
         though to too totally use using very want was wasn we weird were what when where which who whole why will with
         won work works would wouldn you your yours`));
-    // Spellings and names of letters, each with the form that the search uses in its place.
+    // Spellings, names of Greek letters, and variables with subscripts, each with the form that the search uses
+    // instead.
     const SPELLINGS = /** @type {[RegExp, string][]} */ ([
         [/color/, "colour"], [/center/, "centre"], [/gray/, "grey"], [/iz(?=e|ing|ation)/, "is"], [/^theta$/, "θ"], [/^alpha$/, "α"],
         [/^(\p{L})_(\p{L}|\p{N})$/u, "$1$2"],
     ]);
 
-    // The ending of a plural. The s of "is", "axis", "less" and "radius" isn't one.
+    // The ending of a plural. The last letter of "is", "axis", "less" and "radius" isn't such an ending.
     const PLURAL = /(?<=..[^isu])s$/;
-    // The suffixes that are removed from a word to find its other forms. What is left must have at least four letters, and
-    // a vowel that isn't the last of them, so that "string", "ring" and "red" stay whole.
+    // The suffixes that are removed from a word, so that the word's other forms are found, too. The rest of the word
+    // must have at least four letters, and a vowel that isn't its last letter. So "string", "ring" and "red" stay
+    // whole.
     const ENDING = /(?<=[aeiouy].*.)(?<=....)(ation|ate|ion|ive|ing|ed|er|ier|iness|ness|e|l?y)$/;
 
     // Returns a word in lower case, in the spelling that the search uses, and without the ending of
@@ -50,26 +53,27 @@
         return spelled.replace(PLURAL, "");
     }
 
-    // Maps the root of a word to the root of another word that means nearly the same. The latter
-    // stands for the whole group of synonyms.
+    // Maps the root of a word to the root that stands for the word's whole group of synonyms.
     /** @type {Map<string, string>} */
     const synonyms = new Map();
 
-    // What a stemmed word has in common with its other forms and with its synonyms, such as `~reflect`.
+    // Returns the term that a stemmed word shares with its other forms and its synonyms, such as `~reflect`.
     /** @param {string} word */
     function findFamily(word) {
         const root = word.replace(ENDING, "").replace(/([bdgmnprt])\1$/, "$1");
         return `~${synonyms.get(root) ?? root}`;
     }
 
-    // The terms by which a word is found: itself, its family, and the parts of a name such as `to_radians`.
+    // Returns the terms by which a word is found: its stem, its family and, for a name such as `to_radians`, the stems
+    // of its parts.
     /** @param {string} word */
     function findTerms(word) {
         const parts = word.includes("_") ? word.split("_").filter(Boolean) : [];
         return [...[word, ...parts].map(stem), findFamily(stem(word))];
     }
 
-    // The stemmed words that say what a text is about: all except stop words, or all if there are only stop words.
+    // Returns the stems of the words that say what a text is about: all words except stop words. If a text contains
+    // only stop words, returns their stems.
     /** @param {string} text */
     function findSubjects(text) {
         const words = findWords(text), subjects = words.filter(word => !SMALL_WORDS.has(word.toLowerCase()));
@@ -82,41 +86,49 @@
     /** @param {string} text */
     const simplify = text => findWords(text.toLowerCase()).join(" ");
 
-    // What a formula or a piece of code has in common with the same one that is written with other blanks, dots, dashes and exponents.
+    // Rewrites a formula or a piece of code, so that differences in spaces, dots, minus signs and exponents don't
+    // matter.
     /** @param {string} text */
     const findSymbols = text => straighten(text).toLowerCase().replace(/\s/g, "").replace(/⋅/g, "·").replace(/−/g, "-");
     const HAS_SYMBOLS = /[^\p{L}\p{N}\s_.,:;?!'’-]/u;
 
-    // The score of a section. MiniSearch computes one from the fields in which a query's words occur, with the two boosts,
-    // and `find` multiplies it by the other factors. Each number is here because of some queries in
-    // tests/browser/search_queries.txt. One of them is quoted: its first result is wrong if the factor is left out, or if
-    // the exponent is 1.
+    // These constants determine the score of a section. MiniSearch computes a score from the fields in which a query's
+    // words occur, with the two boosts. Then `find` multiplies this score by further factors. The comment at each
+    // constant names a query from tests/browser/search_queries.txt that needs the constant: without the factor, or with
+    // an exponent of 1, the first result for this query would be wrong.
 
-    // The weight of a word in a section's title. A word in its text has the weight 1. "lambert"
+    // The weight of a word in a section's title. A word in the section's text has the weight 1. Needed for "lambert".
     const TITLE_BOOST = 3;
-    // The weight of a word in the phrases by which readers look for the section. "exercises"
+    // The weight of a word in the phrases by which readers look for the section. Needed for "exercises".
     const PHRASES_BOOST = 2;
-    // The weight of the mistakes, if something is wrong with the reader's picture. "the light doesn't get weaker"
+    // The weight of a section on the page of mistakes, if something is wrong with the reader's picture. Needed for "the
+    // light doesn't get weaker".
     const MISTAKES_WEIGHT = 3;
-    // Their weight if something may be wrong: the query has three words or more, and isn't a question.
-    // "the side away from the lamp is as bright as the front"
+    // The weight of a section on the page of mistakes, if something may be wrong with the reader's picture: the query
+    // has three words or more, and isn't a question. Needed for "the side away from the lamp is as bright as the
+    // front".
     const POSSIBLE_MISTAKES_WEIGHT = 1;
-    // The weight of a page that only repeats the chapters. "jitter"
+    // The weight of a section on a page that only repeats the chapters. Needed for "jitter".
     const REPETITION_WEIGHT = 0.1;
-    // The weight of the first section of the book. It falls from section to section, to 0.4 for the last. "exercises"
+    // The weight of the first section of the book. The weight falls from section to section, to 0.4 for the last
+    // section. Needed for "exercises".
     const FIRST_SECTION_WEIGHT = 1.4;
-    // The exponent of the share of the query that a section has, where each word counts by its weight: a section with half
-    // of it counts an eighth. "how do students hand in their pictures"
+    // The exponent of a section's share: how much of the query the section has, where each word counts by its weight.
+    // The score of a section with half of the query is divided by eight. Needed for "how do students hand in their
+    // pictures".
     const SHARE_EXPONENT = 3;
-    // What is added to 1 if a whole name of the section makes up the whole query. "color"
+    // What is added to a factor of 1 if a whole name of the section makes up the whole query. Needed for "color".
     const WHOLE_NAME_BONUS = 99;
-    // The exponent of the name's share of the query, for a name that makes up only a part of it. "how do I test my code"
+    // The exponent of the name's share of the query, if a whole name of the section makes up only a part of the query.
+    // Needed for "how do I test my code".
     const WHOLE_NAME_EXPONENT = 3;
-    // The factor of a section that has the query symbol by symbol, if it has any, as code and formulas do. "Option<f64>"
+    // The factor of a section that contains the query symbol by symbol. This applies only to a query with symbols, such
+    // as code or a formula. Needed for "Option<f64>".
     const VERBATIM_FACTOR = 20;
-    // The factor of a section with a name that is the query, word by word or symbol by symbol. "n·l"
+    // The factor of a section if one of its names equals the query, word by word or symbol by symbol. Needed for "n·l".
     const EXACT_NAME_FACTOR = 10;
-    // What is added to the rarity of a word, so that a common word has some weight, too. "highlights have colour"
+    // What is added to the rarity of a word, so that a common word has some weight, too. Needed for "highlights have
+    // colour".
     const RARITY_ADDEND = 3;
 
     // The index.
@@ -172,15 +184,16 @@
 
     // The search.
 
-    // Words in a query that is probably about the reader's own picture, or about something that is wrong with it. In a
-    // question, only a few of them say so: "why is the sky not black" isn't about a mistake, but "what if I use D and not
-    // its square root" may be.
+    // Words that suggest that a query is about the reader's own picture, or about something wrong with the picture. In
+    // a question, only a few of these words do: "why is the sky not black" isn't about a mistake. But "what if I use D
+    // and not its square root" doesn't count as a question, and may be about one.
     const SYMPTOM = /\b(my|yours|wrong|too|no|not|missing|instead|forgot|broken|strange|weird|only|looks?|all|everything|nothing|should be|\w+n['’]t)\b/i;
     const SYMPTOM_IN_QUESTION = /\b(my|wrong|too|instead|broken|strange|weird)\b/i;
     const QUESTION = /^(?!what (happens )?if)(wh\w+|how|can|could|do|does|is|are|may|should|must)\b/i;
     // A sentence that says how something is, such as "the sky is green".
     const STATEMENT = /^(\S+ ){1,3}(is|are|has|have|comes?)\b/i;
-    // The weight of the mistakes for a query with a number of words that say what it is about.
+    // Returns the weight of the page of mistakes for this query. `count` is how many of the query's words say what the
+    // query is about.
     /** @param {string} query @param {number} count */
     function weighMistakes(query, count) {
         if (QUESTION.test(query)) return SYMPTOM_IN_QUESTION.test(query) ? MISTAKES_WEIGHT : REPETITION_WEIGHT;
@@ -188,16 +201,17 @@
         return count >= 3 ? POSSIBLE_MISTAKES_WEIGHT : REPETITION_WEIGHT;
     }
 
-    // The weight of a section. Chapters come first, and early sections before later ones, since they explain things
-    // first. Pages that only repeat the chapters come last.
+    // Returns the weight of a section. Chapters rank first. Early sections rank before later sections, because the
+    // early sections explain things first. Pages that only repeat the chapters rank last.
     /** @param {Section} section @param {number} place @param {number} mistakesWeight */
     function weigh({ page }, place, mistakesWeight) {
         const weight = page === "mistakes.html" ? mistakesWeight : /^(solutions|problems|teaching)/.test(page) ? REPETITION_WEIGHT : 1;
         return weight * (FIRST_SECTION_WEIGHT - place / sections.length);
     }
 
-    // The terms in the index for a stemmed word of a query. If the book doesn't have the word, we try the word with two
-    // letters swapped, then words that begin with it and, if it is long, words that differ in one letter.
+    // Returns the terms in the index for a stemmed word of a query. If the index doesn't have the word, we try the word
+    // with two letters swapped, then the words that begin with it. For a long word, we finally try the words that
+    // differ from it in one letter.
     /** @param {string} word */
     function findKnownTerms(word) {
         const terms = [word, findFamily(word)].filter(term => vocabulary.has(term));
@@ -210,7 +224,8 @@
         return near?.terms.filter(term => !term.startsWith("~")) ?? [];
     }
 
-    // How much a word says about the subject of a query: the fewer sections have one of its terms, the more it says.
+    // Returns how much a word says about the subject of a query. The fewer sections have one of the word's terms, the
+    // more the word says.
     /** @param {string[]} terms */
     const weighWord = terms => Math.log(RARITY_ADDEND + sections.length / (index.search(terms.join(" ")).length || 1));
 
@@ -248,7 +263,7 @@
         return book.searchHints.find(([, messages]) => messages.some(message => text.includes(` ${simplify(message)} `)));
     }
 
-    // The page.
+    // The dialog.
 
     function show() {
         if (!index) return;
@@ -267,7 +282,7 @@
     const makeLink = ({ page, id, chapter, title }) =>
         book.make("a", { href: `${book.root.dataset.root}${page}#${id}` }, title === chapter ? title : `${chapter}: ${title}`);
 
-    // The list item of the section at an address, with a sentence that says what to do.
+    // Makes the list item of the section at an address, with a sentence that says what to do.
     /** @param {string} address @param {string} sentence */
     function makeHint(address, sentence) {
         const section = sections.find(({ page, id }) => `${page}#${id}` === address);
@@ -275,8 +290,8 @@
         return book.make("li", {}, makeLink(section), book.make("span", { class: "teaser" }, ...words));
     }
 
-    // The list item of a section: its title, and the text around the first word that matches. The text of a mistake begins
-    // with the sentence about its picture.
+    // Makes the list item of a section: its title, and the text around the first word that matches. The text of a
+    // mistake begins with the sentence about the mistake's picture.
     /** @param {Result} result */
     function makeItem({ id, terms }) {
         const { prose, listings, phrases } = sections[id];
@@ -289,10 +304,11 @@
             book.make("em", {}, word), `${text.slice(at + word.length, at + 120).replace(/\s?\S*$/, "")} …`));
     }
 
-    // The query stays in this tab, so that it is there again after Back.
+    // The query is stored for this tab, so that the field contains the query again after the reader goes back to the
+    // page.
     const KEPT_QUERY = "search";
-    try { field.value = sessionStorage.getItem(KEPT_QUERY) ?? ""; } catch { /* private */ }
-    const keepQuery = () => { try { sessionStorage.setItem(KEPT_QUERY, field.value); } catch { /* private */ } };
+    try { field.value = sessionStorage.getItem(KEPT_QUERY) ?? ""; } catch { /* a private window */ }
+    const keepQuery = () => { try { sessionStorage.setItem(KEPT_QUERY, field.value); } catch { /* a private window */ } };
 
     async function open() {
         if (!box.open) box.showModal();
@@ -304,7 +320,8 @@
     box.querySelector("button").addEventListener("click", () => box.close());
     field.addEventListener("input", show);
     box.addEventListener("close", keepQuery);
-    // A click outside closes the search, but not one that began inside, which selects text.
+    // A click outside the dialog closes the search. A click that began inside the dialog doesn't, because such a click
+    // selects text.
     const isOutside = (/** @type {MouseEvent} */ { clientX: x, clientY: y }) => {
         const { left, right, top, bottom } = box.getBoundingClientRect();
         return x < left || right < x || y < top || bottom < y;
