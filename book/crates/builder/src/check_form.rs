@@ -20,7 +20,7 @@ pub fn check_form_html(picture_name: &str, sources: &Sources) -> ChapterResult<S
             scene_field = "<label>If your teacher gave you a scene, the name on its sheet: \
                            <input name=\"scene\" autocomplete=\"off\"></label>";
             let words = "Drop the picture of a step or an exercise here, or choose its \
-                         file. The file's name tells which picture it should be.";
+                         file. The file’s name tells which picture it should be.";
             (ANY_PICTURE, words.to_owned())
         }
         name if sources.generated.0.contains_key(&format!("{name}.png")) => {
