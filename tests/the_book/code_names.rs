@@ -28,7 +28,7 @@ fn words_with_surroundings(text: &str) -> impl Iterator<Item = (&str, &str, &str
 /// - is written in `snake_case` or `CamelCase`,
 /// - is called as a function, or
 /// - is part of a path.
-fn must_be_name(before: &str, word: &str, after: &str) -> bool {
+fn is_identifier_in_code_span(before: &str, word: &str, after: &str) -> bool {
     let mut pairs = word.chars().zip(word.chars().skip(1));
     word.starts_with(|c: char| c.is_alphabetic())
         && (before.is_empty() && after.is_empty()
@@ -100,8 +100,8 @@ impl<'a> SourceNames<'a> {
 /// or a file that doesn't exist.
 fn describe_name_faults(code_span: &str, source: &SourceNames) -> Vec<String> {
     let mut faults = vec![];
-    for (before, word, after) in
-        words_with_surroundings(code_span).filter(|(b, word, a)| must_be_name(b, word, a))
+    for (before, word, after) in words_with_surroundings(code_span)
+        .filter(|(b, word, a)| is_identifier_in_code_span(b, word, a))
     {
         if !source.words.contains(word) {
             faults.push(format!("`{word}` is not in the code"));

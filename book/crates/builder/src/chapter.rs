@@ -371,14 +371,14 @@ impl<'a> Chapter<'a> {
                 return Ok(Expansion::Done);
             }
             DirectiveKind::End => self.expand_end()?,
-            DirectiveKind::PixelPanel => self.boxes.begin_panel(words, range.start)?,
+            DirectiveKind::PixelPanel => self.boxes.begin_pixel_panel(words, range.start)?,
             DirectiveKind::Box(kind) => {
                 let html = folded_box::opening_html(kind, words, values);
                 let position = self.copy_until_position_pair(range.start);
                 self.boxes.begin_folded_box(kind, position, html)?
             }
-            // The next event is the text of this paragraph. When that text is expanded, `value`,
-            // `number` and `our-folder` are filled in, since they are allowed in any text.
+            // Leave these to the next event, which is the text of this paragraph. There, `value`,
+            // `number` and `our-folder` are filled in, since they are allowed in any text, and
             // `include`, `live`, `preview` and `rows` are reported as misplaced.
             DirectiveKind::Value
             | DirectiveKind::Number
@@ -390,7 +390,7 @@ impl<'a> Chapter<'a> {
         }))
     }
 
-    /// Expands the first line of a problem, and makes the problem the open box.
+    /// Expands the first line of a problem. The problem becomes the open box.
     fn begin_problem(&mut self, words: &str, range: &Range<usize>) {
         let (number_and_answer, html) = match NumberAndAnswer::parse(words) {
             Ok(number_and_answer) => {

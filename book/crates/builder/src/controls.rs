@@ -101,7 +101,7 @@ impl Control<'_> {
 
     /// The object that the reader has to choose before the page shows this control. Returns None if
     /// the control doesn't depend on the choice of an object.
-    fn object_to_choose(&self) -> Option<&'static str> {
+    fn object_that_shows_it(&self) -> Option<&'static str> {
         self.figure.editable_scene.as_ref().and(self.parameter.id.object())
     }
 
@@ -115,7 +115,7 @@ impl Control<'_> {
             let owned = parameters.iter().filter(|parameter| parameter.id.object() == Some(object));
             owned.map(|parameter| parameter.id.name()).collect()
         };
-        self.object_to_choose().is_some_and(|object| {
+        self.object_that_shows_it().is_some_and(|object| {
             let mut objects = parameters.iter().filter_map(|parameter| parameter.id.object());
             objects.find(|other| names(other) == names(object)) != Some(object)
         })
@@ -127,7 +127,7 @@ impl Control<'_> {
         let Self { figure, parameter } = self;
         let handle = figure.handles.first().filter(|_| figure.editable_scene.is_some());
         let is_of_first_object =
-            self.object_to_choose() == handle.and_then(|handle| handle.horizontal.object());
+            self.object_that_shows_it() == handle.and_then(|handle| handle.horizontal.object());
         (parameter.has_control)(parameter, &figure.default_values()) && is_of_first_object
     }
 
@@ -166,7 +166,7 @@ impl Control<'_> {
         };
         let hidden = if self.is_shown_at_first() { "" } else { " hidden" };
         let object = self
-            .object_to_choose()
+            .object_that_shows_it()
             .map_or(String::new(), |object| format!(" data-object=\"{}\"", escape_html(object)));
         format!("<div class=\"{class}\" data-parameter=\"{id}\"{object}{hidden}>{content}</div>")
     }

@@ -109,18 +109,17 @@ fn check_address(
     }
     let is_known = id.is_empty()
         || ids.contains(&(&path, Some(id)))
-        || site.pages.get(&path).is_some_and(|page| is_for_script(page, id));
+        || site.pages.get(&path).is_some_and(|page| scripts_understand_fragment(page, id));
     if is_known { Ok(()) } else { Err(LinkError::UnknownId { id: id.to_owned(), path }) }
 }
 
-/// Whether `id`, the fragment of an address, is meant for a script on the page. The scripts
-/// understand:
+/// Whether the scripts on the page understand this fragment of an address. They understand:
 ///
 /// - `pixel=470,120` on a page with a pixel panel
 /// - `line=gate:true` on a page where the place `gate` can be edited
 /// - `scene=camera-roll:45` on the page with the editable scene
-fn is_for_script(page: &Page, id: &str) -> bool {
-    match id.split_once('=') {
+fn scripts_understand_fragment(page: &Page, fragment: &str) -> bool {
+    match fragment.split_once('=') {
         Some(("pixel", _)) => page.attribute_values("data-panel").next().is_some(),
         Some(("line", words)) => {
             let place = format!("{}:", words.split(':').next().unwrap_or_default());
@@ -172,11 +171,11 @@ mod tests {
                     <figure data-places=\"gate:1:2 normal:3:4\"></figure>";
         let page = Page::parse("a.html", html);
         for id in ["pixel=1,2", "line=normal:p", "scene=camera-roll:45"] {
-            assert!(is_for_script(&page, id), "{id}");
+            assert!(scripts_understand_fragment(&page, id), "{id}");
         }
         for id in ["line=norm:p", "scene=moon-radius:1", "section"] {
-            assert!(!is_for_script(&page, id), "{id}");
+            assert!(!scripts_understand_fragment(&page, id), "{id}");
         }
-        assert!(!is_for_script(&Page::parse("b.html", ""), "pixel=1,2"));
+        assert!(!scripts_understand_fragment(&Page::parse("b.html", ""), "pixel=1,2"));
     }
 }

@@ -44,11 +44,12 @@ pub fn note_html(kind: NoteKind, words: &str, values: &Values) -> ChapterResult<
     Ok(format!("<aside class=\"{class}\" role=\"note\">{label}{words}</aside>\n"))
 }
 
-/// Finds the blocks that have notes. For each such block, returns the range of the block and its
-/// notes. Headings, HTML, and directives that begin or end a box can't have notes.
+/// Finds the blocks that have notes. For each such block, returns one range that covers the block
+/// and the notes after it. Headings, HTML, and directives that begin or end a box can't have notes.
 pub fn find_noted_blocks(text: &str, events: &[(Event, Range<usize>)]) -> Vec<Range<usize>> {
     let mut noted: Vec<Range<usize>> = vec![];
-    // The range of the last block and its notes so far, or None if that block can't have notes.
+    // A range that covers the last block and the notes found after it so far. None if no note may
+    // follow that block.
     let mut block: Option<Range<usize>> = None;
     let mut nesting = 0;
     for (event, range) in events {
@@ -61,7 +62,7 @@ pub fn find_noted_blocks(text: &str, events: &[(Event, Range<usize>)]) -> Vec<Ra
                 let directive = Directive::parse(&text[range.clone()]);
                 let kind = directive.filter(|_| *tag == Tag::Paragraph).map(|found| found.kind);
                 if !matches!(kind, Some(DirectiveKind::Note(_))) {
-                    block = can_have_notes(tag, kind).then(|| range.clone());
+                    block = can_be_followed_by_notes(tag, kind).then(|| range.clone());
                 } else if let Some(block) = &mut block {
                     noted.pop_if(|last| last.start == block.start);
                     block.end = range.end;
@@ -78,7 +79,7 @@ pub fn find_noted_blocks(text: &str, events: &[(Event, Range<usize>)]) -> Vec<Ra
 
 /// Whether notes may follow a block. If the block is a paragraph that consists of a single
 /// directive, `kind` is that directive's kind.
-fn can_have_notes(tag: &Tag, kind: Option<DirectiveKind>) -> bool {
+fn can_be_followed_by_notes(tag: &Tag, kind: Option<DirectiveKind>) -> bool {
     use DirectiveKind::{Check, Figure, Number, Value};
     match tag {
         Tag::Paragraph => matches!(kind, None | Some(Figure | Check | Value | Number)),

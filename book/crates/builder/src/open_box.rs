@@ -73,15 +73,17 @@ impl Boxes {
         wrapper_html
     }
 
-    /// Opens the panel of the picture `name`. Returns an error unless this is the last of the
+    /// Opens the pixel panel of the picture `picture_name`. Returns an error unless this is the last of the
     /// pictures whose panels are still missing.
-    pub fn begin_panel(&mut self, name: &str, start: usize) -> ChapterResult<String> {
+    pub fn begin_pixel_panel(&mut self, picture_name: &str, start: usize) -> ChapterResult<String> {
         let (html, wrapper_end_html) =
-            match self.awaiting_panel.pop_if(|picture| picture.name == name) {
+            match self.awaiting_panel.pop_if(|picture| picture.name == picture_name) {
                 Some(picture) => {
                     (Ok(pixel_panel::opening_html(picture.name)), picture.wrapper_end_html)
                 }
-                None => (Err(ChapterError::PanelWithoutPicture(name.to_owned())), String::new()),
+                None => {
+                    (Err(ChapterError::PanelWithoutPicture(picture_name.to_owned())), String::new())
+                }
             };
         self.begin_standalone_box(start, DETAILS_END.to_owned() + &wrapper_end_html)?;
         html
@@ -208,7 +210,7 @@ mod tests {
         for (has_notes, wrappers) in [(true, 0), (false, 1)] {
             let mut boxes = Boxes::default();
             let opening = boxes.await_panel("step02_sphere", 0, has_notes);
-            boxes.begin_panel("step02_sphere", 9).expect("the panel can begin");
+            boxes.begin_pixel_panel("step02_sphere", 9).expect("the panel can begin");
             let ending = end_box(&mut boxes).expect("the panel can end");
             assert_eq!(opening.matches("<div").count(), wrappers, "{opening}");
             assert_eq!(ending.matches("</div>").count(), wrappers, "{ending}");
@@ -225,11 +227,11 @@ mod tests {
         let [first, second] = [missing(3, "step02_sphere"), missing(5, "step03_nearest")];
         assert_eq!(missing_parts(&boxes), [first.clone(), second.clone()]);
         assert!(
-            boxes.begin_panel("step02_sphere", 7).is_err(),
+            boxes.begin_pixel_panel("step02_sphere", 7).is_err(),
             "a panel has to be for the last picture"
         );
         end_box(&mut boxes).expect("the box can end");
-        boxes.begin_panel("step03_nearest", 9).expect("the panel can begin");
+        boxes.begin_pixel_panel("step03_nearest", 9).expect("the panel can begin");
         end_box(&mut boxes).expect("the box can end");
         assert_eq!(missing_parts(&boxes), [first]);
     }
@@ -261,7 +263,7 @@ mod tests {
         assert_eq!(inner, error(ChapterError::MissingAnswer));
         assert_eq!(end_box(&mut boxes).as_deref(), Ok(DETAILS_END));
 
-        boxes.begin_panel("step02_sphere", 6).expect_err("there is no picture for the panel");
+        boxes.begin_pixel_panel("step02_sphere", 6).expect_err("there is no picture for the panel");
         assert_eq!(end_box(&mut boxes).as_deref(), Ok(DETAILS_END));
     }
 }

@@ -12,7 +12,7 @@ use std::iter;
 /// the file explain its format.
 pub const READER_WORDS: &str = include_str!("../search_words.txt");
 
-/// Returns the script that supplies the search in book/theme/search.js with the text of the book.
+/// Returns the script that contains the text of the book for the search in book/theme/search.js.
 /// The script contains three arrays: pages, hints, and groups of synonyms. Each entry is an array
 /// as well:
 ///

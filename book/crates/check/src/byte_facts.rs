@@ -78,7 +78,7 @@ pub(crate) fn byte_depends_on_our_byte_sentence(
     if changed.len() < MIN_CHANGED_VALUES && only_sky_or_only_objects_differ(comparison, scene) {
         return None;
     }
-    let file = sentence_on_files_to_compare(changed.len(), scene);
+    let file = advice_on_source_files_to_compare(changed.len(), scene);
     let clauses = changed.iter().map(|(ours, yours)| format!("{ours} becomes {yours}"));
     let examples = join_first(clauses.collect(), MAX_BYTES, ", ");
     Some(format!("Each byte depends only on ours: {examples}.{file}"))
@@ -94,8 +94,11 @@ fn only_sky_or_only_objects_differ(comparison: &Comparison, scene: &StepScene) -
 /// Returns a sentence that names the files to compare. The sentence is empty if fewer than
 /// `MIN_CHANGED_VALUES` byte values have changed. The sentence is also empty in steps 1 and 2,
 /// where a wrong `direction_colour` looks the same as a wrong conversion to bytes.
-fn sentence_on_files_to_compare(changed_count: usize, scene: &StepScene) -> &'static str {
-    let is_known = changed_count >= MIN_CHANGED_VALUES && scene.step > Step::Sphere;
+fn advice_on_source_files_to_compare(
+    changed_value_count: usize,
+    scene: &StepScene,
+) -> &'static str {
+    let is_known = changed_value_count >= MIN_CHANGED_VALUES && scene.step > Step::Sphere;
     if is_known { " Compare rgb8.rs and the mean in render.rs of step 1." } else { "" }
 }
 
@@ -117,7 +120,7 @@ pub(crate) fn byte_depends_on_our_intensity_sentence(
         points.map(|(i, yours, ours)| format!("{i:.3} becomes {yours} (ours: {ours})")).to_vec();
     clauses.dedup();
     let values: BTreeSet<u32> = curve.iter().map(|(_, yours, _)| u32::from(*yours)).collect();
-    let file = sentence_on_files_to_compare(values.len(), scene);
+    let file = advice_on_source_files_to_compare(values.len(), scene);
     Some(format!("Each byte depends only on our intensity: {}.{file}", clauses.join(", ")))
 }
 

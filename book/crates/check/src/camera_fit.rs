@@ -270,7 +270,7 @@ mod tests {
 
     /// Changes one number of our camera, draws the picture of step 3, and runs
     /// `describe_fitting_cameras` on this picture.
-    fn describe_cameras_that_fit_a_changed_number(number: MatrixNumber, value: f64) -> Vec<String> {
+    fn describe_cameras_that_fit_the_picture_with(number: MatrixNumber, value: f64) -> Vec<String> {
         let target = Target::of_locked("step03_nearest", step03_nearest::picture(&camera(), 1));
         let scene = target.scene.as_ref().expect("a step has a scene");
         let yours = step03_nearest::picture(&number.camera_with(value), 1);
@@ -282,10 +282,10 @@ mod tests {
     fn multiples_of_our_number_and_shifts_by_whole_pixels_are_tried() {
         let twice = 2.0 * D_U.our_value();
         let words = format!("x of D_u = {:.12} instead of 0.001807", twice);
-        assert_eq!(describe_cameras_that_fit_a_changed_number(D_U, twice), [words]);
+        assert_eq!(describe_cameras_that_fit_the_picture_with(D_U, twice), [words]);
         let three_rows_lower = V_0.our_value() + 3.0 * D_V.our_value();
         let words = format!("y of V_0 = {:.12} instead of 0.324364", three_rows_lower);
-        assert_eq!(describe_cameras_that_fit_a_changed_number(V_0, three_rows_lower), [words]);
+        assert_eq!(describe_cameras_that_fit_the_picture_with(V_0, three_rows_lower), [words]);
     }
 
     #[test]

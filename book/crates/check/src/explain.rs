@@ -70,7 +70,7 @@ pub(crate) fn explain(yours: &ReaderPicture, target: &Target) -> Explanation {
     if let Some(options) = &options
         && (options.has_at_most_one_decimal() || mistakes.is_empty())
     {
-        return explain_options(options, title, mistakes);
+        return explain_picture_with_other_options(options, title, mistakes);
     }
     let comparison = Comparison::new(target, &yours.rgb);
     let equal_picture = yours.find_equal_locked_picture();
@@ -121,7 +121,7 @@ pub(crate) fn explain(yours: &ReaderPicture, target: &Target) -> Explanation {
 }
 
 /// Explains a picture that a right program draws with other options.
-fn explain_options(
+fn explain_picture_with_other_options(
     options: &Options,
     title: &str,
     mut mistakes: Vec<&'static Mistake>,
@@ -149,10 +149,10 @@ fn find_number_and_camera_causes(comparison: &Comparison) -> Vec<Cause> {
     if budget.is_spent() { vec![] } else { causes }
 }
 
-/// Describes the causes. The first line names up to `MAX_CAUSES` causes, and the files that contain
-/// the other causes. If a right program also draws the picture with certain `options`, the line
-/// mentions these options, since the options explain the picture just as well. If the first cause
-/// is a listed mistake, further lines describe that mistake.
+/// Describes the causes. The first line names at most `MAX_CAUSES` causes. If there are more, it
+/// names only the files that contain the rest. If there are `options`, a correct program draws the
+/// same picture with them, so the first line mentions them as well. If the first cause is a listed
+/// mistake, further lines describe that mistake.
 fn describe_causes(causes: &[Cause], options: Option<&Options>) -> Vec<String> {
     let Some(first) = causes.first() else { return vec![] };
     let is_listed = causes.iter().all(|cause| matches!(cause, Cause::Mistake(_)));

@@ -1,16 +1,18 @@
-//! Finds black or white pixels that may never have been drawn, since they form a simple shape.
+//! Finds black or white pixels that form a simple shape. Such a shape suggests that the program
+//! never drew these pixels.
 
 use crate::comparison::{Comparison, Pixel};
 use std::collections::BTreeSet;
 
-/// The minimum number of pixels that we call undrawn. It is also the minimum number of pixels that
-/// a border has to surround.
+/// Pixels are called undrawn only if there are at least this many. Likewise, a border is called one
+/// only if it surrounds at least this many pixels.
 const MIN_PIXELS: usize = 100;
 
 /// The maximum number of rectangles that a sentence names.
 const MAX_RECTANGLES: usize = 4;
 
-/// The largest period of a pattern of diagonals, or of a pattern of pixels in reading order.
+/// The largest n that we try, both for patterns that repeat every n diagonals and for patterns that
+/// repeat every n pixels in reading order.
 const LARGEST_PERIOD: u32 = 64;
 
 const BLACK: [u8; 3] = [0; 3];

@@ -2,7 +2,7 @@
 
 use crate::program::{run_check, write_files};
 use crate::{
-    assert_locked, create_empty_folder, draw_scene_generated_from, encode, locked_file, map_locked,
+    assert_locked, create_empty_folder, draw_generated_scene, encode, locked_file, map_locked,
 };
 use course::{Step, camera_with_fov, camera_with_size};
 use std::fs;
@@ -179,7 +179,7 @@ fn read_folder(folder: &Path) -> Vec<(String, String)> {
 #[test]
 fn scene_sheets_are_as_locked() {
     let folder = create_empty_folder("sheets");
-    let dora = encode(draw_scene_generated_from("D\u{f6}ra"));
+    let dora = encode(draw_generated_scene("D\u{f6}ra"));
     write_files(
         &folder,
         [
@@ -235,7 +235,7 @@ fn scene_sheets_are_as_locked() {
 }
 
 #[test]
-fn most_scene_sheets_have_two_lights_and_two_balls() {
+fn most_scene_sheets_ask_about_a_ray_that_meets_two_balls() {
     let sheets = (0..40).map(|k| check::format_sheet(&format!("student {k}"), None));
     let has_two_balls = |sheet: &String| sheet.contains("first meet each of them");
     let count = sheets.filter(has_two_balls).count();

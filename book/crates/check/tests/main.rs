@@ -44,7 +44,7 @@ fn draw(colour: impl Fn(&Ray) -> DVec3 + Sync) -> RgbImage {
 }
 
 /// Draws the scene that is generated from a name.
-fn draw_scene_generated_from(name: &str) -> RgbImage {
+fn draw_generated_scene(name: &str) -> RgbImage {
     let scene = generate_scene(name);
     draw(|ray| step05_phong::colour(&scene, ray))
 }

@@ -6,7 +6,7 @@
 //! - scenes that are generated from names
 
 use crate::{
-    assert_locked, check, draw, draw_scene_generated_from, encode, format_answer, locked_picture,
+    assert_locked, check, draw, draw_generated_scene, encode, format_answer, locked_picture,
     map_locked,
 };
 use check::check_scene_png;
@@ -213,8 +213,8 @@ fn answers_about_scenes_generated_from_names_are_as_locked() {
     let mut small_ball = ada.clone();
     small_ball.objects[3].sphere.radius = 1.0;
     let rows = [
-        ("right", "ada", draw_scene_generated_from("ada")),
-        ("different case", "Ada", draw_scene_generated_from("ada")),
+        ("right", "ada", draw_generated_scene("ada")),
+        ("different case", "Ada", draw_generated_scene("ada")),
         ("no gate", "ada", draw(|ray| colour_without_highlight_gate(&ada, ray))),
         ("one number", "ada", draw(|ray| step05_phong::colour(&small_ball, ray))),
         ("the picture of step 5", "ada", locked_picture(PHONG)),

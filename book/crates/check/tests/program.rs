@@ -1,8 +1,8 @@
 //! Tests the program `check`: its options, exit codes, errors and JSON.
 
 use crate::{
-    TitledAnswer, assert_locked, create_empty_folder, draw_scene_generated_from, encode,
-    locked_file, map_locked,
+    TitledAnswer, assert_locked, create_empty_folder, draw_generated_scene, encode, locked_file,
+    map_locked,
 };
 use std::fs;
 use std::path::Path;
@@ -44,7 +44,7 @@ fn answers_about_one_file_are_as_locked() {
             ("step2.png", locked_file("step02_sphere")),
             ("my.png", encode(map_locked("step02_sphere", hole))),
             ("red.png", encode(map_locked("step05_phong", |_, _, [r, g, b]| [b, g, r]))),
-            ("ada.png", encode(draw_scene_generated_from("ada"))),
+            ("ada.png", encode(draw_generated_scene("ada"))),
             (odd_name, b"text".to_vec()),
         ],
     );

@@ -7,9 +7,9 @@ pub fn format_number(number: f64) -> String {
     if text == "-0" { "0".to_string() } else { text.replace('-', "−") }
 }
 
-/// Formats a number with at most `digits` digits after the point, but no more than four.
-pub fn format_rounded(number: f64, digits: i32) -> String {
-    let power = 10_f64.powi(digits);
+/// Formats a number with at most `max_decimals` digits after the point, but no more than four.
+pub fn format_with_max_decimals(number: f64, max_decimals: i32) -> String {
+    let power = 10_f64.powi(max_decimals);
     format_number((number * power).round() / power)
 }
 
@@ -44,8 +44,8 @@ mod tests {
         {
             assert_eq!(format_number(number), text);
         }
-        assert_eq!(format_rounded(2.346, 2), "2.35");
-        assert_eq!(format_rounded(-0.04, 1), "0");
+        assert_eq!(format_with_max_decimals(2.346, 2), "2.35");
+        assert_eq!(format_with_max_decimals(-0.04, 1), "0");
         assert_eq!(format_vector([1.0, -0.5, 0.0]), "(1, −0.5, 0)");
     }
 

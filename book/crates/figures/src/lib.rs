@@ -16,7 +16,7 @@
 
 mod format;
 pub use format::{format_count, short_name};
-use format::{format_number, format_rounded, format_vector};
+use format::{format_number, format_vector, format_with_max_decimals};
 
 mod drawing;
 mod label_box;

@@ -80,7 +80,7 @@ mod tests {
     use super::*;
 
     /// The gradient's colour at a point. The point's coordinates are as in [`ball_colour_at`].
-    fn gradient_colour_at(shading: &Shading, point: DVec2) -> [u8; 3] {
+    fn gradient_colour_on_ball(shading: &Shading, point: DVec2) -> [u8; 3] {
         let offset = point.distance(shading.brightest) / (1.0 + shading.brightest.length());
         let (k, fraction) = ((offset * f64::from(STEPS)) as usize, offset * f64::from(STEPS) % 1.0);
         let [from, to] = [k, (k + 1).min(STEPS as usize)].map(|k| shading.colours[k]);
@@ -99,7 +99,7 @@ mod tests {
             let points = points.map(|(i, j)| DVec2::new(i, j) / 10.0);
             for point in points.filter(|point| point.length() < 1.0) {
                 let [drawn, expected] =
-                    [gradient_colour_at(&shading, point), ball_colour_at(&scene, point)];
+                    [gradient_colour_on_ball(&shading, point), ball_colour_at(&scene, point)];
                 let is_near = |channel: usize| drawn[channel].abs_diff(expected[channel]) <= 16;
                 assert!((0..3).all(is_near), "{drawn:?} at {point}, not {expected:?}");
             }

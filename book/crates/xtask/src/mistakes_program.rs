@@ -145,7 +145,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn picture_path_contains_the_mistake_and_the_step() {
+    fn picture_path_contains_the_mistakes_number_and_the_step() {
         assert_eq!(picture_path_without_extension(7, Step::Nearest), "src/m7/step03_nearest");
     }
 

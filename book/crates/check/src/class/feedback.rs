@@ -49,7 +49,9 @@ pub(crate) fn judge(result: &Result<Answer, CheckError>, earlier: &[PictureRepor
             sentence: error.to_string(),
             causes: vec![],
         },
-        Ok(answer) if answer.verdict == Verdict::OtherOptions => judge_options(answer),
+        Ok(answer) if answer.verdict == Verdict::OtherOptions => {
+            judge_picture_with_other_options(answer)
+        }
         Ok(answer) => Feedback {
             verdict: FileVerdict::Compared(answer.verdict),
             sentence: answer.summary(),
@@ -69,7 +71,7 @@ pub(crate) fn judge(result: &Result<Answer, CheckError>, earlier: &[PictureRepor
 /// listed mistake produces it, too. For example, a program with tan θ in place of tan(θ/2) draws
 /// exactly the picture of `--fov 120`. A picture of one colour earns no point either, since many
 /// options and mistakes produce such a picture.
-fn judge_options(answer: &Answer) -> Feedback {
+fn judge_picture_with_other_options(answer: &Answer) -> Feedback {
     let doubts = &answer.option_doubts;
     let causes: Vec<_> = doubts.mistakes.iter().map(|mistake| Cause::Mistake(mistake)).collect();
     let is_doubtful = doubts.is_one_colour || !causes.is_empty();

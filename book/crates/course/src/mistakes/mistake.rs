@@ -110,7 +110,7 @@ enum MistakeListFault {
     NoFile,
     #[error("a mistake needs lines with `-` and lines with `+` below its title")]
     NoCode,
-    #[error("a line below a title begins with `-`, `+`, `!`, `?`, `/` or `\"`, and a space")]
+    #[error("a line below a title must begin with `-`, `+`, `!`, `?`, `/` or `\"`, and a space")]
     UnknownMark,
     #[error("there is no step `{0}`: write `! NAME` or `! NAME STEP`")]
     UnknownStep(&'static str),
@@ -311,8 +311,8 @@ one that the book shows
         let error = |list| parse_list(Step::Rays, list).expect_err(list);
         assert_eq!(
             error("# A comment.\n\n@ ray.rs\n\na title\n- a\n+ b\n* c").to_string(),
-            "mistakes/step01_rays.txt, line 8: a line below a title begins with `-`, `+`, `!`, \
-             `?`, `/` or `\"`, and a space"
+            "mistakes/step01_rays.txt, line 8: a line below a title must begin with `-`, `+`, \
+             `!`, `?`, `/` or `\"`, and a space"
         );
         let shown = "a title\n- a\n+ b\n! c";
         for (block, line, fault) in [

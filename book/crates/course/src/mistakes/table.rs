@@ -94,8 +94,8 @@ impl<'a> MistakeTable<'a> {
     }
 }
 
-/// Parses a hash of 16 hexadecimal digits. Returns None if there are fewer or more digits, because
-/// the file is damaged then.
+/// Parses a hash of 16 hexadecimal digits. Returns None for any other number of digits, since that
+/// means that the file is damaged.
 fn parse_hash(digits: &str) -> Option<u64> {
     u64::from_str_radix(digits, 16).ok().filter(|_| digits.len() == 16)
 }

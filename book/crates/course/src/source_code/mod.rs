@@ -1,6 +1,8 @@
-//! The steps' source code as text. This folder lists the places in that code that a reader may edit
-//! on a page, turns a step's crate into a module of another crate, and writes the dependencies of a
-//! program that contains copies of the steps.
+//! The steps' source code as text. These modules:
+//!
+//! - list the places that a reader may edit on a page,
+//! - turn a step's crate into a module of another crate,
+//! - write the dependencies for the manifest of a program that contains copies of the steps.
 
 mod crate_as_module;
 mod dependencies_of_step_copies;

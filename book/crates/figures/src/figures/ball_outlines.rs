@@ -45,7 +45,7 @@ pub fn figure() -> Figure {
             let half = image_half_axes(values[ANGLE]);
             collect_readouts([
                 ("angle", format_number(values[ANGLE])),
-                ("times", format_rounded(half.x / half.y, 1)),
+                ("times", format_with_max_decimals(half.x / half.y, 1)),
             ])
         },
         ..Figure::new("ball-outlines", CONTENT)

@@ -148,7 +148,11 @@ fn readouts(values: &ParameterValues) -> Readouts {
     let (hits, escaping_ray) = world.trace();
     let hit_phrases = hits.iter().map(|PathPoint { point, is_lit }| {
         let lighting = if *is_lit { "in the light" } else { "in shadow" };
-        format!("ball {} at t = {}, {lighting}", point.material(), format_rounded(point.hit.t, 2))
+        format!(
+            "ball {} at t = {}, {lighting}",
+            point.material(),
+            format_with_max_decimals(point.hit.t, 2)
+        )
     });
     let phrases: Vec<_> = hit_phrases.chain(escaping_ray.map(|_| "nothing".into())).collect();
     collect_readouts([("path", phrases.join("; then "))])

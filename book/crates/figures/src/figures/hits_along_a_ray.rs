@@ -76,7 +76,7 @@ fn draw(values: &ParameterValues) -> Drawing {
             drawing.line("axis", position(t) + dvec2(0.0, 8.0), position(t).with_y(y));
             let shift = if anchor == "end" { -4.0 } else { 4.0 };
             let class = format!("{label} over {anchor}");
-            drawing.label(&class, dvec2(position(t).x + shift, y), &format_rounded(t, 1));
+            drawing.label(&class, dvec2(position(t).x + shift, y), &format_with_max_decimals(t, 1));
         }
     }
     drawing.label("over", dvec2(24.0, 204.0), "$t$ =");

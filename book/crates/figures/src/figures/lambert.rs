@@ -34,7 +34,7 @@ pub fn figure() -> Figure {
             let share = brightness(direction_left_of_up(values[ANGLE]));
             collect_readouts([
                 ("angle", format_number(values[ANGLE])),
-                ("share", format_rounded(share, 3)),
+                ("share", format_with_max_decimals(share, 3)),
             ])
         },
         ..Figure::new("lambert", CONTENT)
@@ -100,10 +100,10 @@ fn draw_beam_on_ground(drawing: &mut Drawing, ground: DVec2, degrees: f64) {
             drawing.label("strong over", ground + dvec2(0.0, 24.0), "$w$");
         }
     }
-    let label = format!("cos {degrees}° = {}", format_rounded(l.y, 3));
+    let label = format!("cos {degrees}° = {}", format_with_max_decimals(l.y, 3));
     drawing.label("", ground + dvec2(0.0, 56.0), &label);
     let label = if is_lit {
-        format!("strip × {}", format_rounded(1.0 / share, 2))
+        format!("strip × {}", format_with_max_decimals(1.0 / share, 2))
     } else {
         "max($n$·$l$, 0) = 0: no light".into()
     };

@@ -21,6 +21,6 @@ pub mod three_cases;
 use crate::{
     Axis, Content, Drawing, Figure, Handle, Mark, Parameter, ParameterId, ParameterValues, PointId,
     Readouts, Shading, TO_LIGHT, View, collect_readouts, direction_left_of_up, format_number,
-    format_rounded, format_vector, short_name,
+    format_vector, format_with_max_decimals, short_name,
 };
 use glam::{DVec2, DVec3, dvec2};

@@ -107,7 +107,7 @@ fn draw(values: &ParameterValues) -> Drawing {
     }
     let t = t_at_distance(values);
     let sign = if t < 0.0 { '−' } else { '+' };
-    let label = format!("$S$ {sign} {}$V$", format_rounded(t.abs(), 2));
+    let label = format!("$S$ {sign} {}$V$", format_with_max_decimals(t.abs(), 2));
     // The label is above the ray, except near the top of the drawing, where it is below the ray.
     let above = position(t) + dvec2(-10.0, -24.0);
     let label_position = if above.y < 14.0 { position(t) + dvec2(-10.0, 30.0) } else { above };
@@ -118,8 +118,8 @@ fn draw(values: &ParameterValues) -> Drawing {
 fn readouts(values: &ParameterValues) -> Readouts {
     let (length, t) = (ray(values).direction.length(), t_at_distance(values));
     collect_readouts([
-        ("length", format_rounded(length, 2)),
-        ("distance", format_rounded(t.abs() * length, 2)),
-        ("t", format_rounded(t, 2)),
+        ("length", format_with_max_decimals(length, 2)),
+        ("distance", format_with_max_decimals(t.abs() * length, 2)),
+        ("t", format_with_max_decimals(t, 2)),
     ])
 }

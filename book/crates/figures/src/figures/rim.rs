@@ -31,7 +31,7 @@ pub fn figure() -> Figure {
         handles: vec![Handle::of_degrees_left_of_up("the lamp", ANGLE, VIEW, 1.0)],
         readouts: |values| {
             let [n, l, r, v] = phong_vectors(values);
-            let [nl, rv] = [n.dot(l), r.dot(v)].map(|cosine| format_rounded(cosine, 2));
+            let [nl, rv] = [n.dot(l), r.dot(v)].map(|cosine| format_with_max_decimals(cosine, 2));
             collect_readouts([("nl", nl), ("rv", rv)])
         },
         ..Figure::new("rim", CONTENT)

@@ -81,7 +81,7 @@ fn draw(values: &ParameterValues) -> Drawing {
         drawing.dot(if t < 0.0 { "behind" } else { "ray" }, position(t));
     }
     if let Some(t) = nearest_hit.map(|hit| hit.t) {
-        let label = format!("$t$ = {}", format_rounded(t, 2));
+        let label = format!("$t$ = {}", format_with_max_decimals(t, 2));
         let right = VIEW.xy_to_drawing(SIDE, t);
         drawing.line("guide", position(t), right);
         drawing.label("hit small end", right + dvec2(0.0, -5.0), &label);

@@ -91,7 +91,7 @@ fn draw_ray_and_parabola(drawing: &mut Drawing, ray: &Ray, circle_view: View) {
         drawing.dot(class, on_ray(t));
         drawing.dot(class, on_axis(t));
     }
-    let format = |number: f64| format_rounded(number, 2);
+    let format = |number: f64| format_with_max_decimals(number, 2);
     let discriminant = format!("$D$ = {}", format(discriminant(&SPHERE, ray)));
     drawing.label("strong", dvec2(x, 20.0), &discriminant);
     let values = roots.into_iter().map(format).collect::<Vec<_>>().join(" or ");

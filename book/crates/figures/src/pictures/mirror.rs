@@ -50,7 +50,7 @@ pub fn figure() -> Figure {
     }
 }
 
-/// The picture with the depth, the offset and the ks that the reader has set.
+/// The picture with the depth, the offset and the values of `k` that the reader has set.
 struct MirrorPicture {
     depth: u32,
     offset: f64,
@@ -72,7 +72,7 @@ impl MirrorPicture {
         colour(&self.scene, ray, depth, self.offset)
     }
 
-    /// Returns the table's row for `ray`: the object that the ray hits, t, k and I. Also returns
+    /// Returns the table's row for `ray`: the object that the ray hits, and the values of `t`, `k` and `I`. Also returns
     /// the reflected ray, or None if nothing reflects `ray`.
     fn trace_hit(&self, ray: &Ray, depth: u32) -> ([String; 4], Option<Ray>) {
         let objects = &self.scene.objects;

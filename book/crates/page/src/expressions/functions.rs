@@ -204,8 +204,8 @@ static FUNCTIONS: &[&[Function]] = &[
     },
     math_constants!(PI TAU E FRAC_PI_2 FRAC_PI_3 FRAC_PI_4 FRAC_PI_6 FRAC_PI_8 FRAC_1_PI FRAC_2_PI
         SQRT_2 FRAC_1_SQRT_2 LN_2 LN_10),
-    // These functions have no result where a debug build of the reader's program would panic:
-    // integer operators on overflow or division by 0, and `clamp` unless `min <= max`.
+    // These functions have no result where a debug build of the reader's program would panic. The
+    // integer operators panic on overflow and on division by 0. `clamp` panics unless `min <= max`.
     partial_functions! {
         Sign "+", (a: I32, b: I32) -> I32 = a.checked_add(b);
         Sign "-", (a: I32, b: I32) -> I32 = a.checked_sub(b);

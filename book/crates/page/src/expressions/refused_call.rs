@@ -86,7 +86,7 @@ fn members(receiver: ValueType) -> impl Iterator<Item = &'static Function> {
 
 /// Writes a member as it appears in a line: `x` for a field, and `length()` or `dot(…)` for a
 /// method.
-fn write_member(Function { kind, name, parameters, .. }: &Function) -> String {
+fn member_as_typed(Function { kind, name, parameters, .. }: &Function) -> String {
     match parameters {
         _ if *kind == OperationKind::Field => (*name).to_owned(),
         [_] => format!("{name}()"),
@@ -289,7 +289,7 @@ impl Compiler<'_> {
                 (OperationKind::Method, OperationKind::Method) => {
                     (name_range.end, near.name.to_owned())
                 }
-                _ => (range_of(syntax).end, write_member(near)),
+                _ => (range_of(syntax).end, member_as_typed(near)),
             };
             let fault = Fault::NearName { name, near: format!(".{near}") };
             return Refusal { range: name_range.start..end, fault };
@@ -301,7 +301,7 @@ impl Compiler<'_> {
         let fault = match owner {
             Some(owner) => Fault::OtherReceiver { name, owner, receiver: value_type },
             None => {
-                let members = members(value_type).map(write_member);
+                let members = members(value_type).map(member_as_typed);
                 let members: Vec<_> = members.collect::<BTreeSet<_>>().into_iter().collect();
                 Fault::UnknownMember { name, receiver: value_type, members: members.join(", ") }
             }
@@ -520,7 +520,7 @@ mod tests {
     #[test]
     fn member_is_written_as_in_a_line() {
         let write = |value_type, name| {
-            write_member(members(value_type).find(|known| known.name == name).expect(name))
+            member_as_typed(members(value_type).find(|known| known.name == name).expect(name))
         };
         assert_eq!(write(ValueType::Vector, "x"), "x");
         assert_eq!(write(ValueType::Vector, "length"), "length()");
