@@ -73,8 +73,8 @@ impl Boxes {
         wrapper_html
     }
 
-    /// Opens the pixel panel of the picture `picture_name`. Returns an error unless this is the last of the
-    /// pictures whose panels are still missing.
+    /// Opens the pixel panel of the picture `picture_name`. Returns an error unless this picture is
+    /// the last of those whose panels are still missing.
     pub fn begin_pixel_panel(&mut self, picture_name: &str, start: usize) -> ChapterResult<String> {
         let (html, wrapper_end_html) =
             match self.awaiting_panel.pop_if(|picture| picture.name == picture_name) {

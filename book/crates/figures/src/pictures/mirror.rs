@@ -72,8 +72,8 @@ impl MirrorPicture {
         colour(&self.scene, ray, depth, self.offset)
     }
 
-    /// Returns the table's row for `ray`: the object that the ray hits, and the values of `t`, `k` and `I`. Also returns
-    /// the reflected ray, or None if nothing reflects `ray`.
+    /// Returns the table's row for `ray`: the object that the ray hits, and the values of `t`, `k`
+    /// and `I`. Also returns the reflected ray, or None if nothing reflects `ray`.
     fn trace_hit(&self, ray: &Ray, depth: u32) -> ([String; 4], Option<Ray>) {
         let objects = &self.scene.objects;
         let intensity = format_vector(self.colour(ray, depth));
