@@ -149,8 +149,7 @@ for (const [name, figure, k] of figures) {
       await expectChange(`a key on ${words}`);
     }
     const controls = await root.locator('.controls [data-parameter] input:visible').all();
-    // The figure own_scene has 19 controls, most of them alike, so 12 are enough without
-    // THOROUGH=1.
+    // If a figure has many controls, most of them are alike, so 12 are enough without THOROUGH=1.
     for (const control of controls.slice(0, process.env.THOROUGH ? undefined : 12)) {
       await control.focus();
       await page.keyboard.press(await control.evaluate(({ type, value, min }) => ({

@@ -104,13 +104,13 @@ for (const [width, height] of [[1440, 900], [1280, 720], [1000, 720], [390, 844]
     await line.click();
     await expect(status).toContainText('sphere.centre');
     const panel = listing.locator('.panel');
-    const rows = async () => (await panel.boundingBox()).height;
-    const first = await rows();
+    const panelHeight = async () => (await panel.boundingBox()).height;
+    const first = await panelHeight();
     for (const text of ['p.nosuch()', '1', 'p * 0.5']) {
       await page.keyboard.press('ControlOrMeta+A');
       await page.keyboard.type(text);
       await expect(status).toHaveText(/isn't known here|Write 1.0|Drawn/);
-      expect(await rows(), text).toBe(first);
+      expect(await panelHeight(), text).toBe(first);
       expect(await place() - before, text).toBeCloseTo(0, 0);
     }
     const [code, box] = [await listing.locator('pre').boundingBox(), await panel.boundingBox()];
@@ -159,9 +159,9 @@ for (const [width, height] of [[390, 508], [640, 400]]) {
     await page.keyboard.type('p.nosuch() + ');
     await expect(status).toContainText('.nosuch isn\'t known here');
     const panel = await listing.locator('.panel').boundingBox();
-    const { y, height: rows } = await line.boundingBox();
+    const { y, height: lineHeight } = await line.boundingBox();
     expect(y).toBeGreaterThan(40);
-    expect(y + rows).toBeLessThanOrEqual(panel.y);
+    expect(y + lineHeight).toBeLessThanOrEqual(panel.y);
     for (const part of [status, listing.locator('canvas')]) await expect(part).toBeInViewport({ ratio: 0.9 });
   });
 }

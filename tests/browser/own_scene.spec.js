@@ -29,7 +29,7 @@ test('a reader drags and colours a ball, undoes and redoes changes, adds a spher
   await press('+ Sphere');
   await expect(page).toHaveURL(/tenth-sphere-in-the-scene:1$/);
   await expect(select).toHaveValue('tenth sphere');
-  // After Undo has removed the sphere, the menu selects the previous object.
+  // After Undo has removed the sphere, the menu selects the object that was selected before.
   await press('Undo');
   await expect(select).toHaveValue('red sphere');
   await press('Redo');

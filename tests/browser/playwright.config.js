@@ -29,7 +29,7 @@ export default defineConfig({
   use: { actionTimeout: 15_000 },
   forbidOnly: true,
   reporter: process.env.CI ? 'dot' : 'list',
-  // Without THOROUGH=1, it's enough to test one figure per page, to run axe on the shorter pages,
+  // Without THOROUGH=1, it's enough to test one figure per page, to run axe on some of the pages,
   // and to test the search's results in one browser.
   grepInvert: isThorough ? [] : /@thorough|the figure own_scene/,
   projects: [

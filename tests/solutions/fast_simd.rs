@@ -126,7 +126,8 @@ fn fast_draws_the_bytes_of_render_with_a_light_at_a_visible_point() {
 }
 
 // If the columns of a camera's matrix lie in one plane, all of the camera's rays lie in that plane,
-// too. Some of the rays may even coincide.
+// too. Some of the rays may even coincide. In the third case here, the columns lie only nearly in
+// one plane.
 #[test]
 fn fast_draws_the_bytes_of_render_for_rays_in_one_plane() {
     test_law(15, |random| {
@@ -177,7 +178,8 @@ fn fast_draws_the_bytes_of_render_if_every_sphere_occurs_twice() {
         let mut scene = generate_scene(&random.index(10_000).to_string());
         scene.lights.truncate(random.index(3));
         scene.objects.truncate(random.index(10));
-        // Add a copy of every sphere, in a different material. Only the originals may be visible.
+        // Add a copy of every sphere, usually in a different material. Only the originals may be
+        // visible.
         let pairs = scene.objects.iter().zip(scene.objects.iter().rev());
         let copies: Vec<_> = pairs.map(|(one, other)| one.with_material(other.material)).collect();
         scene.objects.extend(copies);

@@ -1,5 +1,5 @@
-//! Tests of the five steps: what their programs do, what the book predicts about the programs, and
-//! cases that neither the worked numbers in `by_hand.rs` nor the locked pictures cover.
+//! Tests of the five steps: what their programs do, what the book predicts about their pictures,
+//! and cases that neither the worked numbers in `by_hand.rs` nor the locked pictures cover.
 
 mod predictions;
 mod programs;

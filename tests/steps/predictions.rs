@@ -1,14 +1,13 @@
-//! Tests of predictions. A chapter asks the reader to predict what a program will draw, often after
-//! a change, and then gives the answer. Each test quotes such an answer, and checks that the answer
-//! is true.
+//! Tests of predictions. A chapter says what a program draws, often after a change. Each test
+//! quotes the chapter, and checks that the quoted sentences are true.
 
 use glam::DVec3;
 use step02_sphere::{Ray, Roots};
 use step03_nearest::{OBJECTS, Object, nearest};
 use support::primary_rays;
 
-/// "Red is the first in the list and loses every overlap, but wherever two others overlap,
-/// the nearer one happens to come later."
+/// "Red is the first in the list, so it loses every overlap; wherever two others overlap, the
+/// nearer one happens to come later."
 #[test]
 fn last_hit_in_place_of_the_nearest_loses_red_pixels_only() {
     for ray in primary_rays() {
@@ -19,7 +18,8 @@ fn last_hit_in_place_of_the_nearest_loses_red_pixels_only() {
     }
 }
 
-/// "Compare how far away the *centres* are, and steps 3, 4 and 5 still come out right …"
+/// "Suppose the loop compared how far away the *centres* are. Steps 3, 4 and 5 would come out
+/// right. To the last pixel."
 #[test]
 fn nearer_centre_in_place_of_the_nearest_hit_changes_no_pixel() {
     let distance = |object: &&Object<_>| object.sphere.centre.length();
@@ -31,7 +31,7 @@ fn nearer_centre_in_place_of_the_nearest_hit_changes_no_pixel() {
     }
 }
 
-/// "Every mirror but the ground shows it after a single bounce": here, "it" is the green sphere
+/// "Every mirror except the ground shows it after a single bounce." Here, "it" is the green sphere
 /// behind the eye.
 #[test]
 fn each_ball_that_mirrors_shows_the_green_sphere() {
@@ -52,7 +52,8 @@ fn each_ball_that_mirrors_shows_the_green_sphere() {
     assert_eq!(names.len(), 6, "{names:?}");
 }
 
-/// "The centre of the green sphere is above you and to the right."
+/// "The centre of the green sphere is above you and to the right. Why is its disc to the left and
+/// below?"
 #[test]
 fn sphere_behind_the_eye_is_on_the_lines_of_the_lower_left_rays() {
     let Object { sphere: green, .. } = OBJECTS[4];

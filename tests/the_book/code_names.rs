@@ -6,8 +6,8 @@ use super::built_book::read_workspace_folder;
 use super::source_listings::SOURCE_FILES;
 use std::collections::HashSet;
 
-/// Identifiers that the chapters mention, but that the steps' files don't contain. They come from
-/// Rust, insta, OpenGL or a workflow.
+/// Identifiers that the chapters mention, but that the reader's files don't contain. They come from
+/// Rust, insta, OpenGL or Canvas.
 const FOREIGN_NAMES: [&str; 7] =
     ["break", "f32", "ceil", "INSTA_UPDATE", "unseen", "gluPerspective", "LATE"];
 

@@ -165,7 +165,8 @@ pub fn hashes_of_right_pictures() -> impl Iterator<Item = (&'static str, u64)> {
 /// steps is returned once for each of these steps.
 ///
 /// The likeliest mistakes come first. Mistakes that the book shows come before mistakes that the
-/// book doesn't show. Within each group, mistakes that change the least code come first.
+/// book doesn't show. Within each group, mistakes with fewer lines of wrong code come first. Of two
+/// mistakes with equally many lines, the one that changes the code's length less comes first.
 pub fn find_mistakes_with_hash(hash: u64) -> Vec<(&'static Mistake, &'static str)> {
     let mut mistakes_and_names: Vec<_> = mistakes_and_their_rows()
         .flat_map(|(mistake, row)| {

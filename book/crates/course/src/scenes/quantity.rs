@@ -14,8 +14,8 @@ pub struct Quantity {
     pub name: &'static str,
     /// The kind of thing that has this quantity.
     pub owner: Owner,
-    /// The values that a reader may type for the quantity in a step's code. None if no step's code
-    /// contains the quantity.
+    /// The values that a reader may type for the quantity in a step's code. None if the steps'
+    /// scenes don't contain the quantity.
     pub typed: Option<TypedRange>,
     /// The quantity's one number or three numbers.
     pub scalars: &'static [Scalar],
@@ -70,7 +70,8 @@ pub struct Scalar {
     /// numbers by these components.
     pub component: Option<Component>,
     property: Property,
-    /// The index of the axis or channel if the property has three numbers, and 0 otherwise.
+    /// The index of this number if the property has three numbers, such as the index of the axis or
+    /// channel, and 0 otherwise.
     axis: usize,
 }
 
@@ -95,7 +96,7 @@ impl Component {
     /// The components of a position.
     pub const POSITION: [Self; 3] = [Self::X, Self::Y, Self::Z];
     /// The components of a colour.
-    pub const OF_COLOUR: [Self; 3] = [Self::Red, Self::Green, Self::Blue];
+    pub const COLOUR: [Self; 3] = [Self::Red, Self::Green, Self::Blue];
 }
 
 /// The index of the ground in the steps' list of objects. Scenes that are made from this list keep

@@ -6,7 +6,7 @@ use step05_phong::{Light, Material, Scene, light_terms, phong, visible_point};
 
 /// The colour that `ray` would see without the test of n·l. Without the test, each light also makes
 /// a highlight on surfaces that face away from the light. We compute this extra highlight by
-/// passing −n instead of n: both give the same r, and −n passes the test exactly where n fails it.
+/// passing −n instead of n: both give the same r, and −n passes the test where n·l is negative.
 pub fn colour_without_highlight_gate(scene: &Scene<Material, Light>, ray: &Ray) -> DVec3 {
     let Some(point) = visible_point(&scene.objects, ray) else {
         return direction_colour(ray);

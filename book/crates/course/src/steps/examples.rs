@@ -50,8 +50,8 @@ macro_rules! examples {
     };
 }
 
-// Lists each example with its path. In `pictures`, each path is followed by the function that draws
-// the example's locked picture.
+// Lists the examples that this library contains, each with its path. In `pictures`, each path is
+// followed by the function that draws the example's locked picture.
 examples! {
     $
     pictures {

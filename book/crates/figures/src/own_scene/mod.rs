@@ -66,6 +66,6 @@ fn colour_parameters_by_object() -> Vec<(&'static str, [ParameterId; 3])> {
     let mut objects: Vec<_> =
         PARAMETERS.iter().filter_map(|(_, parameter)| parameter.id.object()).collect();
     objects.dedup();
-    let with_ids = |object| Some((object, component_ids(object, Component::OF_COLOUR)?));
+    let with_ids = |object| Some((object, component_ids(object, Component::COLOUR)?));
     objects.into_iter().filter_map(with_ids).collect()
 }
