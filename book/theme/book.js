@@ -12,8 +12,8 @@ const book = /** @type {any} */ ({ root: document.documentElement });
     root.classList.add("js");
 
     // Under Trusted Types, this policy makes the page accept only HTML that these scripts write,
-    // and load scripts only from the addresses in `ownAddresses`. If a server forbids the policy,
-    // each feature that needs the policy reports an error on the page.
+    // and load scripts only from the addresses in `ownAddresses`. If a server requires Trusted
+    // Types but forbids the policy, no other script can be loaded, and the page says so.
     const ownAddresses = new Set();
     let isOwnHTML = false;
     try {

@@ -1,10 +1,10 @@
 "use strict";
 
-// The lines in listings that the reader can edit. A click or a key press on a line selects the
-// line. A panel below or beside the listing then shows the picture that the step draws with the
-// edited lines. The module `expressions`, which contains the five steps, draws this picture with
-// the reader's text instead of the book's. Only one line at a time is selected, but all edited
-// lines keep their text.
+// The lines in listings that the reader can edit. A click on a line selects the line, and so does
+// typing in the line. A panel below or beside the listing then shows the picture that the step
+// draws with the edited lines. The module `expressions`, which contains the five steps, draws this
+// picture with the reader's text instead of the book's. Only one line at a time is selected, but
+// all edited lines keep their text.
 {
     const SMALL = 320, LARGE = 640; // The columns of a picture while the reader types, and at rest.
     const REST = 300; // Rest begins this many milliseconds after the last key press.

@@ -105,8 +105,8 @@
     // light doesn't get weaker".
     const MISTAKES_WEIGHT = 3;
     // The weight of a section on the page of mistakes, if something may be wrong with the reader's picture: the query
-    // has three words or more, and isn't a question. Needed for "the side away from the lamp is as bright as the
-    // front".
+    // has three words or more that aren't stop words, and isn't a question. Needed for "the side away from the lamp is
+    // as bright as the front".
     const POSSIBLE_MISTAKES_WEIGHT = 1;
     // The weight of a section on a page that only repeats the chapters. Needed for "jitter".
     const REPETITION_WEIGHT = 0.1;

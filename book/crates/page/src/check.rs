@@ -21,8 +21,8 @@ pub fn check_scene(file: &[u8], file_name: &str, person: &str) -> Reply {
 
 /// Makes a reply from the result of a check. The reply contains the exit code, the lines of the
 /// answer and, if one of the lines names a section of the book, the address of that section. If the
-/// picture differs from the right one, the reply also contains the two pictures and their
-/// difference, side by side.
+/// answer compares two pictures, the reply also contains these pictures and their difference, side
+/// by side.
 fn report(result: Result<Answer, CheckError>) -> Reply {
     let answer = match result {
         Ok(answer) => answer,

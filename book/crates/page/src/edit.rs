@@ -80,8 +80,8 @@ impl<'a> Edit<'a> {
             return draw(self.columns, MAX_OPERATIONS);
         }
         // First draw a small picture, with a hundredth of the pixels. If the small picture takes
-        // more than a fiftieth of the limit, the full size would take about twice the limit, so
-        // don't try it.
+        // more than a fiftieth of the limit, the full size would take about twice the limit or
+        // more, so don't try it.
         if !takes_too_long(&draw(FULL_WIDTH / 10, 2 * MAX_OPERATIONS / 100)) {
             let result = draw(FULL_WIDTH, MAX_OPERATIONS);
             if !takes_too_long(&result) {
@@ -137,7 +137,8 @@ fn utf16_range(text: &str, bytes: &Range<usize>) -> Range<usize> {
 /// any other picture.
 ///
 /// - A picture may be right although the lines change something, because the picture can't show the
-///   change. In this case, the sentence describes the effect of the lines on later steps.
+///   change. If the place of each line has the note [`PlaceNote::OnlyMovesHit`], the sentence
+///   describes the effect of the lines on later steps.
 /// - A mistake is considered only if a single line is edited, and if the mistake changes the code
 ///   at the place of this line.
 /// - A picture of a single colour isn't compared with the mistakes.
@@ -171,10 +172,11 @@ fn describe_known_picture(edit: &Edit, picture: &RgbImage) -> Option<String> {
     Some(format!("A known mistake gives the same pixels: {}.", mistake.title))
 }
 
-/// Says which step after step 2 is the first whose picture shows the effect of the lines, or that
-/// none of these pictures shows it. The picture of step 2 can't show the effect, because it depends
-/// only on whether a ray meets the ball, not on the t of the hit. Returns None if drawing the later
-/// steps takes too many operations.
+/// Draws some pixels of each step after step 2. Says which of these steps is the first whose pixels
+/// show the effect of the lines, or which would stop because of the lines, or that no pixel shows
+/// the effect. The picture of step 2 can't show the effect, because the picture depends only on
+/// whether a ray meets the ball, not on the t of the hit. Returns None if drawing the later steps
+/// takes too many operations.
 fn describe_effect_on_later_steps(edit: &Edit) -> Option<String> {
     let lines = edit.compile_lines().ok()?;
     let blind = "This picture can't show what you changed here: it shows whether a ray meets the \

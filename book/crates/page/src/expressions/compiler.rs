@@ -82,7 +82,7 @@ impl Compiler<'_> {
         Ok(Part { code, range: range_of(syntax) })
     }
 
-    /// Compiles an expression that isn't just the name of a value.
+    /// Compiles an expression that isn't just the name of a variable.
     fn compile_unnamed_expression(&mut self, syntax: &Expr) -> Result<Code, Refusal> {
         match syntax {
             Expr::Lit(literal) => return compile_literal(&literal.lit),

@@ -28,7 +28,7 @@ struct Context {
     /// Which places the reader has edited: the bit at a place's index in places.txt is 1 if the
     /// place is edited. The build script makes sure that a u64 has enough bits. A list of the
     /// edited places would be too slow: it doubled the time for a picture, because in step 5, a
-    /// single ray looks up more than sixty places.
+    /// single ray comes to places more than sixty times.
     edited: Cell<u64>,
     /// The horizontal and vertical distance between the pixels that are drawn. If it is 1, all
     /// pixels are drawn.

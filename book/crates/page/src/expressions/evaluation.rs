@@ -36,7 +36,7 @@ pub enum Computation {
     Closure(Rc<ValueClosure>),
 }
 
-/// A closure that computes the value of an operation.
+/// A closure that computes the value of a part of a line.
 pub type ValueClosure = dyn Fn(&mut Evaluation) -> Result<Value, Interruption>;
 
 impl Computation {

@@ -57,9 +57,9 @@ pub fn find_near_name<'a>(name: &str, known: impl Iterator<Item = &'a str>) -> O
         }
         let distance = strsim::osa_distance(&wanted[0], &lowercase);
         let max_distance = if name.len() < 6 { 1 } else { 2 };
-        // A synonym ranks ahead of a typo, and a typo ranks ahead of a prefix.
         let is_long_prefix =
             wanted[0].starts_with(&lowercase) && 2 * lowercase.len() > wanted[0].len();
+        // A synonym ranks ahead of a typo, and a typo ranks ahead of a prefix.
         (distance <= max_distance || is_long_prefix).then_some(10 * distance)
     };
     let distances = known.filter_map(|known| Some((distance(known)?, known)));

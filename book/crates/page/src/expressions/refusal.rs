@@ -174,7 +174,7 @@ pub enum Fault {
 
 impl Fault {
     /// Returns the replacement that the fault's sentence suggests for the range at fault. Returns
-    /// None if the sentence suggests no code, or only code with gaps.
+    /// None if the sentence suggests no replacement, or only a replacement with gaps.
     pub fn cure(&self) -> Option<&str> {
         let cure = match self {
             Fault::Assignment { cure, .. }

@@ -45,7 +45,9 @@ impl Call<'_> {
     }
 }
 
-/// Explains that a part should have the type `wanted`. The explanation begins with `subject`.
+/// Explains that a part should have the type `wanted`. If the part is a whole number and should be
+/// a number or a vector, the explanation says what to write instead. Any other explanation begins
+/// with `subject`.
 pub fn explain_mismatch(subject: &str, part: &Part, text: &str, wanted: ValueType) -> Fault {
     use ValueType::{Array, Bool, F64, I32, Vector};
     let (actual, text) = (part.code.value_type, &text[part.range.clone()]);
@@ -257,7 +259,7 @@ impl Compiler<'_> {
 
     /// Explains that the receiver has no field or method with the name in `call`. The explanation
     /// suggests a similar name, or says which other type has such a member, or lists the receiver's
-    /// members.
+    /// members. For `.into()`, the explanation suggests what to write instead.
     fn explain_unknown_member(&self, call: &Call) -> Refusal {
         let Call { syntax, kind, name: member, operands, .. } = *call;
         let name_range = call.name_range.clone();
@@ -309,9 +311,10 @@ impl Compiler<'_> {
         Refusal { range: name_range, fault }
     }
 
-    /// Explains that the name in `call` is unknown. The explanation suggests a method or a similar
-    /// name, or lists the known names. The call has operands only if the line uses the name as a
-    /// function. In that case, the operands are the function's arguments.
+    /// Explains that the name in `call` is unknown. The explanation suggests a method, a similar
+    /// name or a way to write a vector, or lists the place's variables. The call has operands only
+    /// if the line uses the name as a function. In that case, the operands are the function's
+    /// arguments.
     fn explain_unknown_name(&self, call: &Call) -> Refusal {
         let Call { syntax, name, operands, .. } = *call;
         if let Some(cure) = self.write_as_method(name, operands) {
@@ -339,7 +342,7 @@ impl Compiler<'_> {
     }
 
     /// Rewrites a function call as a method call: `sqrt(d)` as `d.sqrt()`, for example. Returns
-    /// None if the first argument has no method with this name.
+    /// None if the first argument has no method with this name or a synonym of it.
     fn write_as_method(&self, name: &str, operands: &[Part]) -> Option<String> {
         let last = name.rsplit("::").next().unwrap_or_default();
         let (first, others) = operands.split_first()?;
