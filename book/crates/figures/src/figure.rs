@@ -23,7 +23,7 @@ pub struct Figure {
     /// page.
     pub readouts: fn(&ParameterValues) -> Readouts,
     /// The number of rows in the table that shows a pixel's trace, or 0 if there is no table.
-    /// [`row_readout_name`] returns the names of a row's readouts.
+    /// [`row_readout_name`] returns the name of each readout in a row.
     pub row_count: usize,
     /// The scene that the reader can edit. None if the figure has no such scene.
     pub editable_scene: Option<EditableScene>,

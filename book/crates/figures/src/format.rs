@@ -25,7 +25,7 @@ pub fn format_vector(vector: impl Into<[f64; 3]>) -> String {
     format!("({x}, {y}, {z})")
 }
 
-/// Formats a count with a comma before every three digits.
+/// Formats a count with commas between groups of three digits.
 pub fn format_count(count: usize) -> String {
     let digits = count.to_string();
     let has_comma = |k: usize| k > 0 && (digits.len() - k).is_multiple_of(3);

@@ -1,10 +1,10 @@
 //! The book's interactive figures, drawn by the steps' own code.
 //!
 //! A [`Figure`] shows a *drawing*, which has lines and labels, or a *picture*, which has pixels. A
-//! function computes the drawing or picture from the values of the figure's named *parameters*. The
-//! builder calls this function with the default values, and prints the result. When a reader moves
-//! a *handle* or a control, the page calls the same function, compiled for the browser: the page
-//! sends a [`FigureRequest`] and gets a [`Reply`].
+//! function computes the drawing or picture from the values of the figure's named *parameters*. For
+//! a drawing, the builder calls this function with the default values, and prints the result. When
+//! a reader moves a *handle* or a control, the page calls the same function, compiled for the
+//! browser: the page sends a [`FigureRequest`] and gets a [`Reply`].
 //!
 //! *Readouts* are texts that depend on the values, and are elsewhere on the page. The *trace* of a
 //! pixel consists of all numbers from the pixel's ray to its bytes. A *probe* is a handle that

@@ -1,5 +1,5 @@
 //! Locks the texts of each figure, the replies to a page, and the effects of dragging the handles.
-//! In the snapshots, each element of a drawing and each field of JSON has its own line.
+//! In the snapshots, each element of a drawing and each field of a reply begins a line.
 
 use course::{Step, find_draw_function};
 use figures::{
@@ -21,8 +21,8 @@ fn reply_lines(figure: &Figure, request: &FigureRequest) -> String {
     text + &pixels.collect::<String>()
 }
 
-/// Splits a JSON object into lines. Each field, each object in a list, and each text in `texts` or
-/// `readouts` begins a line.
+/// Splits a JSON object into lines. A line ends after each field of this object, after each object
+/// in a list, and after each text in `texts` or `readouts`.
 fn json_lines(json: &str) -> String {
     let (mut lines, mut depth, mut is_string, mut has_long_texts) =
         (String::new(), 0, false, false);

@@ -1,6 +1,6 @@
 //! Hashes source code, to find out whether the WebAssembly modules and the pictures of the mistakes
 //! are up to date. Blank lines, indentation and lines that contain only a comment don't affect the
-//! hash, except in files that a page shows.
+//! hash, except in the files of [`SHOWN_ON_PAGES`].
 
 use crate::error::{XtaskError, XtaskResult};
 use course::{fnv_1a, workspace};
@@ -14,11 +14,11 @@ const FOLDERS: [&str; 5] =
 /// Names of files and folders in [`FOLDERS`] that aren't hashed:
 /// - the file that contains the hash;
 /// - the folder with the lists of mistakes, which a page loads separately;
-/// - tests and benchmarks.
+/// - the folders with tests and with benchmarks.
 const SKIPPED_PATH_ENDS: [&str; 4] = ["modules.txt", "course/mistakes", "tests", "benches"];
 
-/// Source files that a page shows for readers to copy. The whole text of these files is hashed,
-/// including comments and indentation.
+/// Source files with text that a page shows for readers to copy. The whole text of these files is
+/// hashed, including comments and indentation.
 const SHOWN_ON_PAGES: [&str; 3] =
     ["examples/own_scene.rs", "examples/look_at.rs", "figures/src/own_scene/program.rs"];
 

@@ -24,7 +24,7 @@ pub fn figure() -> Figure {
     let label = "of your curve";
     Figure {
         parameters: vec![
-            // With the smallest allowed a, the curve begins at the top of the drawing.
+            // With the smallest allowed a, the curve begins at the highest line of the grid.
             Parameter::number(A, label, a, [0.5, 2.0], 20.0).with_symbol("a"),
             Parameter::number(B, label, b, [0.0, 1.0], 100.0).with_symbol("b"),
             Parameter::number(C, label, c, [0.0, 0.5], 200.0).with_symbol("c"),

@@ -60,7 +60,7 @@ pub fn figure() -> Figure {
 }
 
 /// The contents of the plane: the ray from the eye, the light q and the balls. The material of a
-/// ball is the number that the drawing shows beside the ball's centre.
+/// ball is the ball's number, which the drawing shows near the ball's centre.
 struct FlatWorld {
     ray: Ray,
     q: DVec3,

@@ -24,7 +24,7 @@ const CONTENT: Content = Content::Drawing {
 };
 
 /// The scene from above, cut along the row of a pixel, with the ray of that pixel and every root on
-/// the line of the ray.
+/// the visible part of the ray's line.
 pub fn figure() -> Figure {
     Figure {
         values_from: Some("step03_nearest"),
