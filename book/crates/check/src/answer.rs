@@ -116,7 +116,8 @@ pub struct ComparedPictures {
 /// Reasons to doubt that a picture differs from ours only because of other options.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct OptionDoubts {
-    /// The listed mistakes that produce the same picture with the default options.
+    /// The listed mistakes that produce the same picture with the default options. Leaves out
+    /// mistakes in the code that reads the options.
     pub mistakes: Vec<&'static Mistake>,
     /// Whether the whole picture is one colour. Many options and mistakes produce such a picture.
     pub is_one_colour: bool,

@@ -126,8 +126,8 @@ fn cameras_with_wrong_formulas() -> Vec<(Camera, String)> {
 }
 
 /// Returns candidates for the value of a number. Candidates with few digits come first. All
-/// candidates reproduce the sky, but the caller still has to test them on the objects. If our own
-/// value also reproduces the sky, returns no candidates, since then the number isn't the cause.
+/// candidates reproduce the sky, but the caller still has to test them on the whole picture. If our
+/// own value also reproduces the sky, returns no candidates, since then the number isn't the cause.
 fn candidate_values_from_sky(
     comparison: &Comparison,
     scene: &StepScene,
@@ -143,8 +143,8 @@ fn candidate_values_from_sky(
     //
     // - a round number
     // - a round multiple of our number
-    // - our number shifted by a round multiple of the step from one pixel to the next (the x of D_u
-    //   or the y of D_v)
+    // - for V_0, our number shifted by a round multiple of the step from one pixel to the next (the
+    //   x of D_u or the y of D_v); for D_u and D_v, once more a round multiple of our number
     let pixel_steps = [matrix.x_axis.x, matrix.y_axis.y];
     let pixel_step = if number.column == 2 { pixel_steps[number.row] } else { ours };
     let starts_and_units = [(0.0, 1.0), (0.0, ours), (ours, pixel_step)];

@@ -26,8 +26,8 @@ use crate::class::student::{StudentReport, check_student};
 use rayon::prelude::*;
 use std::path::Path;
 
-/// Reports on every picture in the students' folders. `names` lists the full name of every folder
-/// that a student should have. With this list, the report says which folders are missing, and which
+/// Reports on every picture in the students' folders. `names` lists the full names of the folders
+/// that the class should have. With this list, the report says which folders are missing, and which
 /// folders aren't in the list. Only the `required` pictures count towards a student's points. If no
 /// pictures are required, all pictures count.
 pub fn report_on_class(

@@ -100,7 +100,7 @@ pub(crate) fn explain(yours: &ReaderPicture, target: &Target) -> Explanation {
     let described_causes = describe_causes(&causes, options.as_ref());
     let causes_line = whole_picture.as_ref().and(described_causes.first().cloned());
     // The line about the whole picture comes first, because that difference is plain to see. The
-    // causes come next, and the facts after them.
+    // causes come next, and the lines about wrong pixels after them.
     let mut lines = whole_picture
         .into_iter()
         .chain(described_causes)
@@ -150,9 +150,9 @@ fn find_number_and_camera_causes(comparison: &Comparison) -> Vec<Cause> {
 }
 
 /// Describes the causes. The first line names at most `MAX_CAUSES` causes. If there are more, it
-/// names only the files that contain the rest. If there are `options`, a correct program draws the
-/// same picture with them, so the first line mentions them as well. If the first cause is a listed
-/// mistake, further lines describe that mistake.
+/// counts the rest, and names the files that contain them. If there are `options`, a right program
+/// draws the same picture with them, so the first line mentions them as well. If the first cause is
+/// a listed mistake, further lines describe that mistake.
 fn describe_causes(causes: &[Cause], options: Option<&Options>) -> Vec<String> {
     let Some(first) = causes.first() else { return vec![] };
     let is_listed = causes.iter().all(|cause| matches!(cause, Cause::Mistake(_)));

@@ -29,8 +29,8 @@ pub(crate) fn find_facts(comparison: &Comparison) -> Vec<String> {
     let regions = scene.map(|scene| count_pixels_per_region(comparison, scene));
     let are_enough_evidence = are_enough_evidence(&comparison.wrong);
     let scene_if_enough_evidence = scene.filter(|_| are_enough_evidence);
-    // Pixels may be white because of too much light, and not because they are undrawn. In that case
-    // a curve fits the bytes, and we don't look for undrawn pixels.
+    // Pixels may be white because of too much light, and not because they are undrawn. So if a curve
+    // fits the bytes, we don't look for undrawn pixels.
     let curve = scene_if_enough_evidence.and_then(|scene| {
         byte_depends_on_our_intensity_sentence(comparison, scene)
             .or_else(|| byte_depends_on_our_byte_sentence(comparison, scene))

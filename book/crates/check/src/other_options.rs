@@ -273,7 +273,7 @@ mod tests {
     }
 
     #[test]
-    fn angles_come_once_and_the_default_first() {
+    fn angles_begin_with_the_default_and_end_with_tenths() {
         let angles: Vec<_> = angles_with_at_most_one_decimal().collect();
         assert_eq!((angles[0], angles[1]), (60.0, 1.0));
         assert_eq!(angles.len(), 1 + 179 + 1799 - 179);

@@ -1,4 +1,4 @@
-//! Finds black or white pixels that form a simple shape. Such a shape suggests that the program
+//! Finds black or white pixels that form a simple shape. Such a shape may mean that the program
 //! never drew these pixels.
 
 use crate::comparison::{Comparison, Pixel};

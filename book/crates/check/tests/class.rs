@@ -105,7 +105,7 @@ fn reports_on_a_readers_own_pictures_are_as_locked() {
         ("own", &["--require", "plane,step01_rays"]),
         ("nothing", &[]),
     ];
-    let answers = runs.map(|(place, arguments)| run_check(&folder.join(place), arguments));
+    let answers = runs.map(|(subfolder, arguments)| run_check(&folder.join(subfolder), arguments));
     assert_locked("own_pictures", answers);
 }
 

@@ -78,7 +78,7 @@ fn submitted_contents() -> SubmittedContents {
 
 const FOLDERS: &str = "**Moodle, D2L Brightspace, Gradescope and GitHub**";
 
-/// About two dozen students submit files on seven platforms. Each report calls a picture right, or
+/// About two dozen students submit files on seven platforms. A report calls each picture right, or
 /// names the picture so that the teacher looks at it.
 #[test]
 fn made_up_downloads_are_reported_as_locked() {

@@ -29,10 +29,11 @@ fn only_equal_pictures_are_right() {
     for name in names_of_right_pictures().into_iter().step_by(11) {
         let answer = check_png(&locked_file(name), "my.png", Some(name), read_locked_picture);
         assert_eq!(answer.expect("the file can be checked").verdict, Verdict::Right, "{name}");
-        let (place, bit) = ((random.u32(..640), random.u32(..360)), 1 << random.u8(..8));
-        let change = |i, j, [r, g, b]: [u8; 3]| [r, if (i, j) == place { g ^ bit } else { g }, b];
+        let (position, bit) = ((random.u32(..640), random.u32(..360)), 1 << random.u8(..8));
+        let change =
+            |i, j, [r, g, b]: [u8; 3]| [r, if (i, j) == position { g ^ bit } else { g }, b];
         let answer = check(map_locked(name, change), name);
-        assert_eq!(answer.verdict, Verdict::NotRight, "{name} in {place:?}");
+        assert_eq!(answer.verdict, Verdict::NotRight, "{name} at {position:?}");
     }
 }
 

@@ -1,5 +1,5 @@
-//! Locks answers about small pictures, since checking a small picture takes little time. For each
-//! sentence about wrong pixels, one picture just meets the sentence's condition, and another
+//! Locks answers about small pictures, since checking a small picture takes little time. For many
+//! sentences about wrong pixels, one picture just meets the sentence's condition, and another
 //! picture just misses it.
 
 use crate::{assert_locked, encode, format_answer};
@@ -74,9 +74,9 @@ fn facts_of_small_pictures_are_as_locked() {
     let few_show_the_sky = |count: usize| {
         let (mut picture, sky) = (draw_small_step(Nearest), draw_small_step(Rays));
         let red = picture.enumerate_pixels().filter(|(_, _, colour)| colour.0 == [232, 87, 71]);
-        let places: Vec<_> = red.map(|(i, j, _)| (i, j)).take(count).collect();
-        for (k, place) in places.into_iter().enumerate() {
-            picture[place] = if k < 5 { sky[place] } else { Rgb([9; 3]) };
+        let positions: Vec<_> = red.map(|(i, j, _)| (i, j)).take(count).collect();
+        for (k, position) in positions.into_iter().enumerate() {
+            picture[position] = if k < 5 { sky[position] } else { Rgb([9; 3]) };
         }
         picture
     };

@@ -1,5 +1,6 @@
 //! Finds the students' folders in a class's folder, and the files in a student's folder. Doesn't
-//! follow links. Limits the number of entries and the depth of nesting.
+//! follow links there. Limits the number of entries and the depth of nesting. Also finds a reader's
+//! own pictures, which may be links.
 
 use crate::class::skipped_paths::{SkipReason, SkippedPaths};
 use crate::escape_for_terminal;
@@ -72,10 +73,10 @@ pub(crate) struct FolderContents {
     pub skipped_paths: SkippedPaths,
 }
 
-/// A file in a student's folder.
+/// A file in a student's folder, or one of a reader's own pictures.
 pub(crate) struct FoundFile {
     pub path: PathBuf,
-    /// The path relative to the student's folder, escaped for a terminal.
+    /// The path relative to the student's or the reader's folder, escaped for a terminal.
     pub printable_path: String,
 }
 

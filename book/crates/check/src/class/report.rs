@@ -243,7 +243,7 @@ fn file_json(file: &FileReport) -> String {
 }
 
 fn skipped_paths_json(skipped_paths: &SkippedPaths) -> String {
-    let first = skipped_paths.first.iter().map(|file| json::quote(&file.to_string()));
+    let first = skipped_paths.first.iter().map(|path| json::quote(&path.to_string()));
     json::object([("count", skipped_paths.count.to_string()), ("first", json::list(first))])
 }
 

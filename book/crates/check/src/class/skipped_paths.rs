@@ -25,7 +25,7 @@ pub(crate) struct SkippedPath {
 /// Why a file or folder was skipped.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum SkipReason {
-    /// The file isn't named after a picture.
+    /// The file isn't named after a picture, or its extension isn't that of a picture.
     OtherName,
     /// The file is in the class's folder, but not in a student's folder.
     BesideFolders,
@@ -54,7 +54,7 @@ impl SkippedPaths {
     /// skipped.
     pub fn clause(&self) -> Option<String> {
         let mut sorted: Vec<_> = self.first.iter().collect();
-        sorted.sort_by_key(|file| file.reason == SkipReason::OtherName);
+        sorted.sort_by_key(|path| path.reason == SkipReason::OtherName);
         let mut names: Vec<_> = sorted.iter().map(ToString::to_string).collect();
         names.truncate(MAX_IN_CLAUSE);
         let more = self.count - names.len();
