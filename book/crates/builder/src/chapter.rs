@@ -85,7 +85,7 @@ struct Chapter<'a> {
     expanded_end: usize,
     /// The ids of the listings so far.
     listings: Vec<String>,
-    /// How the next picture is loaded.
+    /// When the next picture is loaded.
     loading: LoadingTime,
     /// The blocks that have notes. Each range covers a block and its notes.
     noted_blocks: Vec<Range<usize>>,
@@ -302,8 +302,8 @@ impl<'a> Chapter<'a> {
     }
 
     /// Expands a code block. An `include` becomes a listing, and the fences `console` and
-    /// `algorithm` become HTML. Rust or TOML that is typed directly into a chapter is a fault,
-    /// since nothing would verify that such code works.
+    /// `algorithm` become HTML. Rust or TOML that is typed directly into a chapter is a fault, and
+    /// so is code in a fence without a language, since nothing would verify that such code works.
     fn expand_code_block(
         &mut self,
         kind: &CodeBlockKind,

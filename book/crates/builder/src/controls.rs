@@ -14,10 +14,10 @@ const SCENE_HINT: &str = "<span class=\"hint\">Drag a ball, and the code of step
 
 const RESET: &str = "<button type=\"button\" class=\"reset\" disabled>Reset</button>";
 
-/// Returns the HTML of the controls below a figure, with one control for each parameter. If a
-/// handle sets a parameter, the parameter's control is a number field in a folded box. In an
-/// editable scene, no control is folded. Instead the reader chooses an object, and the page shows
-/// only the controls for that object.
+/// Returns the HTML of the controls below a figure. Each parameter has a control. If a handle sets
+/// a parameter, the parameter's control is a number field in a folded box. In an editable scene, no
+/// control is folded. Instead the reader chooses an object, and the page shows only the controls
+/// for that object. Some of these controls aren't in the HTML, because a script adds them.
 ///
 /// The HTML hides the controls, since they don't work without scripts. If scripts are enabled,
 /// book/theme/css/live.css shows the controls from the start. The controls work once the module has
@@ -57,8 +57,8 @@ pub fn controls_html(figure: &Figure) -> String {
     format!("<div class=\"controls{tool}\" hidden>{hint}{content}</div>")
 }
 
-/// Returns the HTML of the hint below a preview. A preview is a picture that becomes interactive at
-/// the reader's first touch.
+/// Returns the HTML of the hint below a preview. A preview is a picture that only becomes
+/// interactive when a reader points at the picture or focuses it.
 pub fn preview_hint_html(figure: &Figure) -> String {
     let hint = if figure.editable_scene.is_some() { SCENE_HINT } else { HINT };
     format!("<div class=\"controls\" hidden>{hint}</div>")
@@ -121,7 +121,7 @@ impl Control<'_> {
         })
     }
 
-    /// Whether the control is shown before the reader touches anything. In an editable scene, only
+    /// Whether the control is shown before the reader changes anything. In an editable scene, only
     /// the controls of one object are shown at first: the object that the first handle moves.
     fn is_shown_at_first(&self) -> bool {
         let Self { figure, parameter } = self;

@@ -142,8 +142,8 @@ mod tests {
             Some(Directive { kind: DirectiveKind::Value, words: "a" })
         );
         let kind = DirectiveKind::Box(BoxKind::Predict);
-        let inner = Directive { kind, words: "Is it {{#value a}}?" };
-        assert_eq!(parse("{{#predict Is it {{#value a}}?}}"), Some(inner));
+        let outer = Directive { kind, words: "Is it {{#value a}}?" };
+        assert_eq!(parse("{{#predict Is it {{#value a}}?}}"), Some(outer));
         for text in ["", "text", "{{figure ray}}", "{{#figure ray}} text", "{{#drawer}}"] {
             assert_eq!(parse(text), None, "{text}");
         }

@@ -1,4 +1,4 @@
-//! The faults in a chapter, and the error that reports all faults in a build.
+//! The faults in a chapter, and the error that lists faults and stops a build.
 
 use crate::replace_between::MissingEnd;
 use anyhow::Chain;
@@ -123,8 +123,8 @@ pub enum ChapterError {
 /// The result of expanding part of a chapter.
 pub type ChapterResult<T> = Result<T, ChapterError>;
 
-/// The error that stops a build. This error lists all faults in the book, with one sentence for
-/// each fault.
+/// The error that stops a build. This error lists all faults that one check has found, with one
+/// sentence for each fault.
 #[derive(Debug, Error)]
 #[error("{}\nThe book was not built.", .0.join("\n"))]
 pub struct Faults(Vec<String>);

@@ -25,7 +25,7 @@
 //! - A *figure* is a drawing from the crate `figures`. A *picture* is a PNG file in `generated/`. A
 //!   picture that is followed by `live` is interactive, and the *controls* of the picture set its
 //!   parameters. A picture that is followed by `preview` has no controls, and only becomes
-//!   interactive at the reader's first touch.
+//!   interactive when a reader points at the picture or focuses it.
 //! - `pixel-panel` and `end` enclose the box *This pixel* below an interactive picture. The picture
 //!   has a *probe*, the handle that selects a pixel. The text in the box follows the computation of
 //!   the selected pixel from its ray to its three bytes, with a `number` for each intermediate

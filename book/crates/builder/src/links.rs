@@ -166,15 +166,15 @@ mod tests {
     }
 
     #[test]
-    fn ids_for_scripts_name_a_pixel_a_line_or_a_scene_of_the_page() {
+    fn fragments_for_scripts_name_a_pixel_a_line_or_a_scene_of_the_page() {
         let html = "<details data-panel=\"a\"></details><figure data-live=\"own_scene\"></figure>\
                     <figure data-places=\"gate:1:2 normal:3:4\"></figure>";
         let page = Page::parse("a.html", html);
-        for id in ["pixel=1,2", "line=normal:p", "scene=camera-roll:45"] {
-            assert!(scripts_understand_fragment(&page, id), "{id}");
+        for fragment in ["pixel=1,2", "line=normal:p", "scene=camera-roll:45"] {
+            assert!(scripts_understand_fragment(&page, fragment), "{fragment}");
         }
-        for id in ["line=norm:p", "scene=moon-radius:1", "section"] {
-            assert!(!scripts_understand_fragment(&page, id), "{id}");
+        for fragment in ["line=norm:p", "scene=moon-radius:1", "section"] {
+            assert!(!scripts_understand_fragment(&page, fragment), "{fragment}");
         }
         assert!(!scripts_understand_fragment(&Page::parse("b.html", ""), "pixel=1,2"));
     }

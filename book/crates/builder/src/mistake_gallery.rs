@@ -10,9 +10,9 @@ use crate::values::Values;
 use course::{Mistake, MistakePicture, ShownMistake, Step, escape_html, mistakes};
 
 /// Returns the Markdown for a directive such as `{{#mistakes step01_rays}}`. The gallery begins
-/// with a contact sheet, which has one small picture for each mistake in that step. A section for
-/// each mistake follows. A section consists of three panels with pictures, the diff of the code,
-/// and the reason why the code is wrong.
+/// with a contact sheet, which has one small picture for each mistake that the book shows in that
+/// step. A section for each of these mistakes follows. A section consists of three panels with
+/// pictures, the diff of the code, and the reason why the code is wrong.
 pub fn gallery_markdown(
     step_name: &str,
     sources: &Sources,
@@ -78,8 +78,9 @@ fn yours_ours_difference_html(
     ))
 }
 
-/// Returns the HTML of a mistake's title. The first letter becomes a capital, unless the letter is
-/// part of a symbol.
+/// Returns the HTML of a mistake's title. If the first word has several letters, all of them in
+/// lower case, its first letter becomes a capital. Any other first word is kept, because the word
+/// may be a symbol, such as x.
 fn title_html(Mistake { title, .. }: &Mistake, values: &Values) -> ChapterResult<String> {
     let word = title.split(' ').next().unwrap_or_default();
     let is_word = word.len() > 1 && word.chars().all(|c| c.is_ascii_lowercase());

@@ -11,10 +11,10 @@
 //! | problem | `answer` | answer |
 //! | standalone box, answer | `end` | no box |
 //!
-//! In each state, all other directives for boxes are errors. A box whose first line is an error
-//! still counts as open. Otherwise the `{{#end}}` of that box would be a second error. For the same
-//! reason, a standalone box that begins inside a problem, before the answer, replaces the problem
-//! as the open box.
+//! In each state, all other directives for boxes are errors. If a box may begin but its first line
+//! contains an error, the box still counts as open. Otherwise the `{{#end}}` of that box would be a
+//! second error. For the same reason, a standalone box that begins inside a problem, before the
+//! answer, replaces the problem as the open box.
 //!
 //! A panel belongs to the last picture above it that has a probe. One wrapper contains the picture
 //! and the panel, so that the panel can be in the margin. [`Boxes::await_panel`] opens the wrapper

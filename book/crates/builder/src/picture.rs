@@ -22,8 +22,9 @@ pub enum Interaction<'a> {
     /// The picture becomes interactive as soon as it comes near the viewport. The picture has all
     /// handles and controls of the figure.
     Live(&'a Figure),
-    /// The picture becomes interactive at the reader's first touch. The picture has no controls.
-    /// For example, the preview of step 5 only says what the ray of a pixel hits.
+    /// The picture becomes interactive when a reader points at it or focuses it. The picture has no
+    /// controls. For example, the preview of step 5 only says what the ray of a pixel hits, and
+    /// which colour the pixel has.
     Preview(&'a Figure),
 }
 

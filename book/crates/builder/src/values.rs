@@ -4,8 +4,8 @@
 //! - `FIGURE:I,J:NAME` is a number of a picture whose probe is at the pixel (I, J). An example is
 //!   `step04_diffuse:470,120:t`.
 //! - `R_d:OBJECT` is the R_d of an object in the scene. An example is `R_d:salmon sphere`.
-//! - `NAME` is a number for a whole picture: a count of rays or pixels, or the largest change of
-//!   any pixel.
+//! - `NAME` is a number for a whole picture: a count of rays, hits or pixels, or the largest change
+//!   of any pixel.
 //!
 //! A figure computes all its numbers together. The numbers are cached, since chapters use several
 //! numbers of the same figure.
