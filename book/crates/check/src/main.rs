@@ -21,7 +21,8 @@ use std::{env, fs};
 /// and reports which of them are right.
 ///
 /// The exit code is 0 if everything is right, 1 if something is wrong, and 2 if
-/// something is missing, unreadable or, with --in, not looked at.
+/// something is missing or unreadable. With --in, it is also 2 if something was
+/// not looked at, or if there is a note on a student.
 #[derive(Parser)]
 #[command(name = "check", after_help = format!("Names: {}", names_of_right_pictures().join(", ")))]
 #[command(group = ArgGroup::new("use_of_names").args(["folder", "out"]))]
