@@ -47,8 +47,10 @@ export async function open(page, address) {
   await page.locator('script[src$="search.js"]').waitFor({ state: 'attached' });
 }
 
-// Scrolls to a figure, and waits until it is interactive.
+// Opens the folded box around a figure, if there is one, scrolls to the figure, and waits until it
+// is interactive.
 export async function makeReady(figure) {
+  await figure.evaluate(one => one.closest('details')?.setAttribute('open', ''));
   await figure.scrollIntoViewIfNeeded();
   await figure.and(figure.page().locator('[data-ready]')).waitFor({ timeout: 20_000 });
 }
