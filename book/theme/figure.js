@@ -180,7 +180,7 @@
             this.objectSelect?.addEventListener("change", () => this.selectObject(this.objectSelect.value));
             this.reset = /** @type {HTMLButtonElement} */ (this.controls.querySelector(".reset"));
             for (const parameter of this.about.parameters) {
-                const element = this.findPrintedControl(parameter.id) ?? this.copyControl(parameter);
+                const element = this.findControl(parameter.id) ?? this.copyControl(parameter);
                 const inputs = [...element.querySelectorAll("input")];
                 const control = { element, inputs, output: element.querySelector("b"), object: element.dataset.object };
                 this.parameterControls.set(parameter.id, control);
@@ -198,21 +198,18 @@
         }
 
         /** @param {string} id @returns {HTMLElement | null} */
-        findPrintedControl(id) {
+        findControl(id) {
             return this.controls.querySelector(`[data-parameter="${id}"]`);
         }
 
-        // Makes the control of a parameter by copying the control of another object. In an editable
-        // scene, the builder prints the controls of only one sphere and one light, because all
-        // spheres have the same parameters, and all lights do, too.
+        // Makes the control of a parameter by copying the control that another object has for the
+        // parameter of the same name. In an editable scene, the HTML contains the controls of only
+        // one sphere and one light, because all spheres have the same parameters, and all lights
+        // do, too.
         /** @param {ParameterAbout} parameter */
-        copyControl({ id, min, max, step }) {
-            const beginId = (/** @type {string} */ object) => `${object.replaceAll(" ", "-")}-`;
-            const object = [...this.objectSelect.options].map(({ value }) => value).find(name => id.startsWith(beginId(name)));
-            const name = id.slice(beginId(object).length);
-            /** @type {NodeListOf<HTMLElement>} */
-            const printed = this.controls.querySelectorAll("[data-object]");
-            const model = [...printed].find(({ dataset }) => dataset.parameter === beginId(dataset.object) + name);
+        copyControl({ id, object, name, min, max, step }) {
+            const namesakes = this.about.parameters.filter(other => other.object && other.name === name);
+            const model = namesakes.map(other => this.findControl(other.id)).find(Boolean);
             const copy = /** @type {HTMLElement} */ (model.cloneNode(true));
             Object.assign(copy.dataset, { parameter: id, object });
             for (const slider of copy.querySelectorAll("[type=range]")) Object.assign(slider, { min, max, step });

@@ -1,6 +1,18 @@
 // A reader makes a scene, undoes changes, shares the scene, and downloads its picture.
 import { expect, open, test } from './fixtures.js';
 
+test('each object has its own controls, with their limits and values', async ({ page, home }) => {
+  await open(page, `${home}own_scene.html`);
+  await page.locator('figure[data-live=own_scene][data-ready]').waitFor({ timeout: 20_000 });
+  const sliders = page.locator('.controls .range:visible');
+  for (const [object, count, upwards] of [['red sphere', 9, '-0.16'], ['ground', 9, '-41.2'], ['cool light', 12, '2.2'], ['camera', 8]]) {
+    await page.getByRole('combobox').selectOption(object);
+    await expect(sliders, object).toHaveCount(count);
+    // The slider would not have this value if it had the limits of another object.
+    if (upwards) await expect(sliders.nth(1).locator('[type=range]')).toHaveValue(upwards);
+  }
+});
+
 test('a reader drags and colours a ball, undoes and redoes changes, adds a sphere, and downloads the picture', async ({ page, home }) => {
   await open(page, `${home}own_scene.html`);
   await page.locator('figure[data-live=own_scene][data-ready]').waitFor({ timeout: 20_000 });
@@ -29,7 +41,7 @@ test('a reader drags and colours a ball, undoes and redoes changes, adds a spher
   await press('+ Sphere');
   await expect(page).toHaveURL(/tenth-sphere-in-the-scene:1$/);
   await expect(select).toHaveValue('tenth sphere');
-  // After Undo has removed the sphere, the menu selects the object that was selected before.
+  // After Undo has removed the sphere, the menu selects the first object that is in the scene.
   await press('Undo');
   await expect(select).toHaveValue('red sphere');
   await press('Redo');

@@ -261,6 +261,8 @@ type ParameterValues = Record<string, number>;
 
 interface ParameterAbout {
   id: string;
+  object: string | null;
+  name: string;
   default: number;
   min: number;
   max: number;

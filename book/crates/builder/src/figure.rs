@@ -11,11 +11,8 @@ use figures::{Content, find_figure};
 pub fn drawing_html(name: &str, values: &Values) -> ChapterResult<String> {
     let unknown = || ChapterError::UnknownFigure(name.to_owned());
     let figure = find_figure(name).ok_or_else(unknown)?;
-    let drawing = figure.draw(&figure.default_values());
-    let (Some(drawing), Content::Drawing { title, caption, .. }) = (drawing, &figure.content)
-    else {
-        return Err(unknown());
-    };
+    let Content::Drawing { title, caption, .. } = figure.content else { return Err(unknown()) };
+    let drawing = figure.draw(&figure.default_values()).ok_or_else(unknown)?;
     let (live, controls) = match figure.values_from {
         Some(figure_name) => (format!(" data-companion=\"{figure_name}\""), String::new()),
         None if figure.parameters.is_empty() => Default::default(),

@@ -118,6 +118,8 @@ fn about_parameter(parameter: &Parameter) -> String {
     let [min, max] = parameter.range;
     json::object([
         ("id", quote(parameter.id)),
+        ("object", quote_or_null(parameter.id.object())),
+        ("name", quote(parameter.id.name())),
         ("default", parameter.default.to_string()),
         ("min", min.to_string()),
         ("max", max.to_string()),
@@ -156,13 +158,10 @@ fn reply_for_values(figure: &Figure, values: &ParameterValues, columns: Option<u
         fields.push(("address", json::quote(&format_address(figure, values))));
     }
     let mut pixels = vec![];
-    match (&figure.content, columns) {
-        (_, None) => {}
-        (Content::Drawing { .. }, _) => {
-            let drawing = figure.draw(values).map(|drawing| drawing.svg_elements());
-            fields.push(("drawing", quote_or_null(drawing)));
-        }
-        (Content::Picture { draw }, Some(columns)) => {
+    if let Some(columns) = columns {
+        let drawing = figure.draw(values).map(|drawing| json::quote(&drawing.svg_elements()));
+        fields.extend(drawing.map(|elements| ("drawing", elements)));
+        if let Content::Picture { draw } = &figure.content {
             let image = draw(values, columns);
             fields.push(("size", json::list([image.width(), image.height()])));
             pixels = rgba_bytes(&image);
