@@ -264,10 +264,10 @@ const book = /** @type {any} */ ({ root: document.documentElement });
             const copy = /** @type {Element} */ (code.cloneNode(true));
             const edited = copy.querySelectorAll("[data-book]");
             for (const line of edited) line.textContent = line.dataset.book;
-            // A file may be shown in several listings, to be pasted one below the other. A blank
-            // line between two listings is copied with the lower listing. If it were copied with
-            // the upper listing, it would be the last line of the file at first, and an editor that
-            // formats the file would drop it.
+            // A file may be shown in several listings, which the reader pastes one below the other.
+            // A blank line between two listings is copied with the lower one. If it were copied
+            // with the upper listing, it would end the file until the lower listing is pasted. An
+            // editor that formats the file in the meantime would delete it.
             const start = caption.parentElement.matches("[data-below-blank]") ? "\n" : "";
             const text = `${start}${copy.textContent.trimEnd()}\n`;
             book.copyAndReport(button, text, edited.length ? "Copied, without your lines" : "Copied");

@@ -141,9 +141,10 @@ fn fast_draws_the_bytes_of_render_for_rays_in_one_plane() {
     });
 }
 
-// Two of the blocks of pixels that `fast` draws meet at column 15.5. This camera's centre is at
-// that column, and nearly in the plane of the picture. Rounding errors in V turn the plane through
-// the centre and the common edge of the two blocks by a large angle.
+// `fast` draws the picture in blocks of pixels, and two of these blocks share an edge at column
+// 15.5. This camera's centre is at that column, and nearly in the plane of the picture. A second
+// plane contains the centre and the shared edge. Because the centre is so near to the picture,
+// rounding errors in V rotate the second plane by a large angle.
 #[test]
 fn fast_draws_the_bytes_of_render_for_a_camera_nearly_in_the_plane_of_its_picture() {
     test_law(60, |random| {

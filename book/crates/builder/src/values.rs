@@ -53,15 +53,16 @@ impl Values {
         let text = text.ok_or_else(|| ChapterError::UnknownValue(name.to_owned()))?;
         Ok(match notation {
             Notation::Prose => text,
-            // The crate `figures` formats all readouts for prose, because pages never update
-            // numbers in code. Replacing the sign here is safe, because a readout has − only before
-            // digits.
+            // The crate `figures` formats readouts for prose only, because every number that a page
+            // updates is in prose. In code, a hyphen takes the place of the sign −. It is safe to
+            // replace every − in a readout, because each stands before a digit.
             Notation::Code => text.replace('−', "-"),
         })
     }
 
-    /// Returns a readout, such as `D`, of a figure with its default parameters. For a figure with a
-    /// probe, `readout` may begin with the pixel where the probe is, as in `470,120:t`.
+    /// Returns a readout of a figure, such as `D`. The figure's parameters have their default
+    /// values. If the figure has a probe, however, `readout` may begin with a pixel, as in
+    /// `470,120:t`, and the probe is then at that pixel.
     fn readout(&self, figure_name: &str, readout: &str) -> Option<String> {
         let figure = figures::find_figure(figure_name)?;
         let (pixel, readout) = match readout.split_once(':').filter(|_| figure.probe().is_some()) {
