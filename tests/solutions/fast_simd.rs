@@ -182,7 +182,8 @@ fn fast_draws_the_bytes_of_render_if_every_sphere_occurs_twice() {
         // Add a copy of every sphere, usually in a different material. Only the originals may be
         // visible.
         let pairs = scene.objects.iter().zip(scene.objects.iter().rev());
-        let copies: Vec<_> = pairs.map(|(one, other)| one.with_material(other.material)).collect();
+        let copies: Vec<_> =
+            pairs.map(|(original, model)| original.with_material(model.material)).collect();
         scene.objects.extend(copies);
         assert_fast_draws(
             &small_camera_at_random_position(random),

@@ -25,13 +25,13 @@ fn scenes_without_mirrors_and_glass_look_like_step_5_with_shadows() {
 /// wouldn't cover the whole scene, because the green sphere isn't in view.
 #[test]
 fn own_scene_begins_as_the_scene_of_step_5() {
-    let (own, ours) = (own_scene::my_scene(), scene());
-    assert_eq!(own.objects.len(), ours.objects.len());
-    for (own, ours) in own.objects.iter().zip(&ours.objects) {
-        assert_eq!(own, ours, "{} in examples/own_scene.rs", ours.name);
+    let (own_scene, step_scene) = (own_scene::my_scene(), scene());
+    assert_eq!(own_scene.objects.len(), step_scene.objects.len());
+    for (own_object, step_object) in own_scene.objects.iter().zip(&step_scene.objects) {
+        assert_eq!(own_object, step_object, "{} in examples/own_scene.rs", step_object.name);
     }
-    assert_eq!(own.ambient_light, ours.ambient_light, "L_a in examples/own_scene.rs");
-    assert_eq!(own.lights, ours.lights, "the lights in examples/own_scene.rs");
+    assert_eq!(own_scene.ambient_light, step_scene.ambient_light, "L_a in examples/own_scene.rs");
+    assert_eq!(own_scene.lights, step_scene.lights, "the lights in examples/own_scene.rs");
 }
 
 #[test]
@@ -80,19 +80,24 @@ fn glass_reflects_all_light_from_inside_beyond_42_degrees() {
         let direction = DVec3::Y.rotate_z(degrees.to_radians());
         Ray { start: point.p - direction, direction }
     };
-    let seen = |degrees| glass::through_glass(&ray_at(degrees), &point, 1.5, |next| next.direction);
+    let next_direction =
+        |degrees| glass::through_glass(&ray_at(degrees), &point, 1.5, |next| next.direction);
     for degrees in [42.0, 60.0, 89.0] {
         let mirrored = DVec3::NEG_Y.rotate_z(-f64::to_radians(degrees));
-        assert!(seen(degrees).abs_diff_eq(mirrored, 1e-12), "{degrees}°: {}", seen(degrees));
+        assert!(
+            next_direction(degrees).abs_diff_eq(mirrored, 1e-12),
+            "{degrees}°: {}",
+            next_direction(degrees)
+        );
     }
     // At a slightly smaller angle, most of the light leaves the glass.
-    assert!(seen(41.0).y > -0.5, "{}", seen(41.0));
+    assert!(next_direction(41.0).y > -0.5, "{}", next_direction(41.0));
     // With an index below 1, as for an air bubble in glass, rays from outside may be totally
     // reflected, too.
     let from_outside =
         Ray { start: DVec3::new(-2.0, 2.0, 0.0), direction: DVec3::new(2.0, -1.0, 0.0) };
-    let seen = glass::through_glass(&from_outside, &point, 1.0 / 1.5, |next| next.direction);
-    assert_eq!(seen, DVec3::new(2.0, 1.0, 0.0));
+    let direction = glass::through_glass(&from_outside, &point, 1.0 / 1.5, |next| next.direction);
+    assert_eq!(direction, DVec3::new(2.0, 1.0, 0.0));
 }
 
 /// The tenth mirror image is too faint to change any byte, so the picture doesn't test what the
@@ -119,10 +124,10 @@ fn last_mirror_shows_its_own_colour_and_the_last_glass_is_black() {
                 mirror::hidden(&scene.objects, &point, q, mirror::OFFSET)
             };
             let terms = mirror::shadowed_phong(&point, &ray, material, &scene, is_hidden);
-            let own = (1.0 - k) * (terms.ambient + terms.diffuse) + terms.specular;
-            let expected = own + k * mirror::colour(&scene, &mirrored, 0, mirror::OFFSET);
-            let found = mirror::colour(&scene, &ray, 1, mirror::OFFSET);
-            assert!(found.abs_diff_eq(expected, 1e-12), "{ray:?}");
+            let own_colour = (1.0 - k) * (terms.ambient + terms.diffuse) + terms.specular;
+            let expected = own_colour + k * mirror::colour(&scene, &mirrored, 0, mirror::OFFSET);
+            let colour = mirror::colour(&scene, &ray, 1, mirror::OFFSET);
+            assert!(colour.abs_diff_eq(expected, 1e-12), "{ray:?}");
             counts[0] += 1;
         }
         if visible_point(&glasses.objects, &ray)

@@ -11,8 +11,8 @@ use std::collections::HashSet;
 const FOREIGN_NAMES: [&str; 7] =
     ["break", "f32", "ceil", "INSTA_UPDATE", "unseen", "gluPerspective", "LATE"];
 
-/// Splits a text into words. Each item consists of the text before a word, the word, and the text
-/// after the word.
+/// Splits a text into words. Each item consists of the text text_before a word, the word, and the text
+/// text_after the word.
 fn words_with_surroundings(text: &str) -> impl Iterator<Item = (&str, &str, &str)> {
     let is_part = |c: char| c.is_alphanumeric() || c == '_';
     let words = text.split(move |c| !is_part(c)).filter(|word| !word.is_empty());
@@ -28,15 +28,15 @@ fn words_with_surroundings(text: &str) -> impl Iterator<Item = (&str, &str, &str
 /// - is written in `snake_case` or `CamelCase`,
 /// - is called as a function, or
 /// - is part of a path.
-fn is_identifier_in_code_span(before: &str, word: &str, after: &str) -> bool {
+fn is_identifier_in_code_span(text_before: &str, word: &str, text_after: &str) -> bool {
     let mut pairs = word.chars().zip(word.chars().skip(1));
     word.starts_with(|c: char| c.is_alphabetic())
-        && (before.is_empty() && after.is_empty()
+        && (text_before.is_empty() && text_after.is_empty()
             || word.contains('_')
             || pairs.any(|(a, b)| a.is_lowercase() && b.is_uppercase())
-            || before.ends_with("::")
-            || after.starts_with("::")
-            || after.starts_with('('))
+            || text_before.ends_with("::")
+            || text_after.starts_with("::")
+            || text_after.starts_with('('))
 }
 
 /// Returns the path of each file that a reader types, and the file's code without comments.
@@ -57,19 +57,20 @@ struct SourceNames<'a> {
     /// All words in the code and in the paths.
     words: HashSet<&'a str>,
     /// The words that are directly followed by `(` or `<`, such as names of functions.
-    called: HashSet<&'a str>,
+    called_words: HashSet<&'a str>,
 }
 
 impl<'a> SourceNames<'a> {
     fn in_files(files: &'a [(&'static str, String)]) -> Self {
-        let in_code = || files.iter().flat_map(|(_, code)| words_with_surroundings(code));
-        let called = in_code().filter(|(_, _, after)| after.starts_with(['(', '<']));
-        let in_paths = files.iter().flat_map(|(path, _)| words_with_surroundings(path));
+        let words_in_code = || files.iter().flat_map(|(_, code)| words_with_surroundings(code));
+        let called_words =
+            words_in_code().filter(|(_, _, text_after)| text_after.starts_with(['(', '<']));
+        let words_in_paths = files.iter().flat_map(|(path, _)| words_with_surroundings(path));
         Self {
             files,
-            called: called.map(|(_, word, _)| word).chain(FOREIGN_NAMES).collect(),
-            words: in_code()
-                .chain(in_paths)
+            called_words: called_words.map(|(_, word, _)| word).chain(FOREIGN_NAMES).collect(),
+            words: words_in_code()
+                .chain(words_in_paths)
                 .map(|(_, word, _)| word)
                 .chain(FOREIGN_NAMES)
                 .collect(),
@@ -80,9 +81,9 @@ impl<'a> SourceNames<'a> {
     /// contains `name`.
     fn has_path(&self, owner: &str, name: &str) -> bool {
         self.files.iter().any(|(_, code)| {
-            let declares_owner = words_with_surroundings(code).any(|(before, word, _)| {
+            let declares_owner = words_with_surroundings(code).any(|(text_before, word, _)| {
                 let keywords = ["struct ", "enum ", "mod ", "impl ", "> "];
-                word == owner && keywords.iter().any(|keyword| before.ends_with(keyword))
+                word == owner && keywords.iter().any(|keyword| text_before.ends_with(keyword))
             });
             code.contains(&format!("{owner}::{name}"))
                 || declares_owner && words_with_surroundings(code).any(|(_, word, _)| word == name)
@@ -100,16 +101,17 @@ impl<'a> SourceNames<'a> {
 /// or a file that doesn't exist.
 fn describe_name_faults(code_span: &str, source: &SourceNames) -> Vec<String> {
     let mut faults = vec![];
-    for (before, word, after) in words_with_surroundings(code_span)
+    for (text_before, word, text_after) in words_with_surroundings(code_span)
         .filter(|(b, word, a)| is_identifier_in_code_span(b, word, a))
     {
         if !source.words.contains(word) {
             faults.push(format!("`{word}` is not in the code"));
-        } else if after.starts_with('(') && !source.called.contains(word) {
+        } else if text_after.starts_with('(') && !source.called_words.contains(word) {
             faults.push(format!("`{word}` is not called or defined in the code"));
         }
-        let owner =
-            before.strip_suffix("::").and_then(|before| words_with_surroundings(before).last());
+        let owner = text_before
+            .strip_suffix("::")
+            .and_then(|text_before| words_with_surroundings(text_before).last());
         if let Some((_, owner, _)) = owner
             && !source.has_path(owner, word)
         {
@@ -138,11 +140,11 @@ fn names_in_the_text_are_names_of_the_code() {
             let mut line_faults: Vec<_> =
                 codes.flat_map(|code| describe_name_faults(code, &source)).collect();
             let test = line.strip_prefix("{{#by-hand ").and_then(|line| line.strip_suffix("}}"));
-            if let Some(test) = test.filter(|test| !source.called.contains(test)) {
+            if let Some(test) = test.filter(|test| !source.called_words.contains(test)) {
                 line_faults.push(format!("there is no test `{test}`"));
             }
             let line_faults = line_faults.iter();
-            faults.extend(line_faults.map(|what| format!("book/src/{path}:{number}: {what}.")));
+            faults.extend(line_faults.map(|fault| format!("book/src/{path}:{number}: {fault}.")));
         }
     }
     assert_no_faults(&faults);

@@ -99,8 +99,8 @@ fn run_workflow(folder: &Path, required: &str) -> Result<String> {
     fs::create_dir_all(grade.join("class/drawn")).expect("the folder can be created");
     run_bash(&draw, "git clone --quiet ../../ada student", &[])
         .expect("the repository can be cloned");
-    // Copy the course's steps for the job, because a student's program may overwrite files in the
-    // job's folder `course`.
+    // Give the job its own copy of the course's steps. A student's program could overwrite the files
+    // in the job's folder `course`, and the real steps must stay as they are.
     let course = workspace();
     let copy = "cp -R \"$COURSE\"/steps course";
     run_bash(&draw, copy, &[("COURSE", course.to_str().expect("the path is UTF-8"))])
@@ -127,7 +127,7 @@ fn run_workflow(folder: &Path, required: &str) -> Result<String> {
         if command.is_for_failure == result.is_err() {
             let variables = [("STEPS", &*steps), ("REQUIRE", required)];
             match run_bash(&grade, &command.lines, &variables) {
-                Ok(printed) => text += &printed,
+                Ok(output) => text += &output,
                 Err(error) => result = Err(error),
             }
         }

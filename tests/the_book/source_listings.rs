@@ -25,7 +25,7 @@ fn every_line_of_every_file_is_listed_once() {
         let listed_text = typed.get(path).map_or("", String::as_str);
         if listed_text != text {
             let pairs = text.lines().zip(listed_text.lines());
-            let equal_count = pairs.take_while(|(line, listed)| line == listed).count();
+            let equal_count = pairs.take_while(|(line, listed_line)| line == listed_line).count();
             let line = equal_count + 1;
             faults.push(format!(
                 "From line {line} on, the pages' listings of {path} differ from the file."

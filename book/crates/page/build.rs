@@ -84,8 +84,8 @@ fn read_step_sources() -> Result<BTreeMap<String, String>, Box<dyn Error>> {
 /// of failing the build, because that test couldn't run after a failed build.
 fn with_editable_places_and_refusing_asserts(text: &str, file: &str, places: &[Place]) -> String {
     let places = places.iter().filter(|place| place.file == file);
-    let found = places.filter_map(|place| Some((place.find_range(text).ok()?, place)));
-    let mut edits: Vec<_> = found.collect();
+    let ranges_and_places = places.filter_map(|place| Some((place.find_range(text).ok()?, place)));
+    let mut edits: Vec<_> = ranges_and_places.collect();
     // Edit from the end of the file to its start, because each edit shifts the text after it.
     edits.sort_by_key(|(range, _)| Reverse(range.start));
     let mut copy = text.to_owned();

@@ -428,11 +428,11 @@ impl<'a> Chapter<'a> {
         range: &Range<usize>,
     ) -> ChapterResult<Expansion> {
         let (mut pictures, mut remaining) = (vec![], self.text[range.clone()].to_owned());
-        for (event, inner) in events {
+        for (event, event_range) in events {
             if let Event::Start(Tag::Image { dest_url, title, .. }) = event
-                && inner.start < range.end
+                && event_range.start < range.end
             {
-                let markdown = &self.text[inner.clone()];
+                let markdown = &self.text[event_range.clone()];
                 remaining = remaining.replacen(markdown, "", 1);
                 pictures.push(ChapterPicture { markdown, file: dest_url, caption: title });
             }

@@ -23,18 +23,19 @@ const RESET: &str = "<button type=\"button\" class=\"reset\" disabled>Reset</but
 /// book/theme/css/live.css shows the controls from the start. The controls work once the module has
 /// loaded.
 pub fn controls_html(figure: &Figure) -> String {
-    let (mut folded, mut above, mut below) = (vec![], String::new(), String::new());
+    let (mut folded_controls, mut html_above, mut html_below) =
+        (vec![], String::new(), String::new());
     for parameter in &figure.parameters {
         let control = Control { figure, parameter };
         if control.is_added_by_script() {
             continue;
         }
         if control.is_folded() {
-            folded.push(control);
+            folded_controls.push(control);
         } else if parameter.kind == ParameterKind::Switch || figure.editable_scene.is_none() {
-            above += &control.html();
+            html_above += &control.html();
         } else {
-            below += &control.html();
+            html_below += &control.html();
         }
     }
     let hint = if figure.probe().is_some() { HINT } else { "" };
@@ -48,10 +49,10 @@ pub fn controls_html(figure: &Figure) -> String {
             .collect();
         format!(
             "<div class=\"choice\"><label>Change <select>{options}</select></label>\
-             {above}{RESET}</div>{below}"
+             {html_above}{RESET}</div>{html_below}"
         )
     } else {
-        format!("{above}{}{RESET}", folded_fields_html(&folded))
+        format!("{html_above}{}{RESET}", folded_fields_html(&folded_controls))
     };
     let tool = if figure.editable_scene.is_some() { " tool" } else { "" };
     format!("<div class=\"controls{tool}\" hidden>{hint}{content}</div>")
@@ -117,7 +118,7 @@ impl Control<'_> {
         };
         self.object_that_shows_it().is_some_and(|object| {
             let mut objects = parameters.iter().filter_map(|parameter| parameter.id.object());
-            objects.find(|other| names(other) == names(object)) != Some(object)
+            objects.find(|candidate| names(candidate) == names(object)) != Some(object)
         })
     }
 
@@ -222,13 +223,15 @@ mod tests {
     fn each_control_that_the_script_adds_has_a_printed_control_to_copy() {
         let figure = find_figure("own_scene").expect("the figure exists");
         let controls = figure.parameters.iter().map(|parameter| Control { figure, parameter });
-        let (added, printed): (Vec<_>, Vec<_>) = controls.partition(Control::is_added_by_script);
-        for Control { parameter, .. } in added {
-            let has_same_name = |printed: &&Control| {
-                let Parameter { id, .. } = printed.parameter;
+        let (added_controls, printed_controls): (Vec<_>, Vec<_>) =
+            controls.partition(Control::is_added_by_script);
+        for Control { parameter, .. } in added_controls {
+            let has_same_name = |control: &&Control| {
+                let Parameter { id, .. } = control.parameter;
                 id.object().is_some() && id.name() == parameter.id.name()
             };
-            let model = printed.iter().find(has_same_name).expect("there is a printed control");
+            let model =
+                printed_controls.iter().find(has_same_name).expect("there is a printed control");
             let text = |parameter: &Parameter| {
                 let Parameter { kind, symbol, label, unit, .. } = parameter;
                 format!("{kind:?} {symbol} {label} {unit}")

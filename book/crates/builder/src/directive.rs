@@ -100,8 +100,9 @@ impl<'a> Directive<'a> {
     }
 
     /// Parses the text between the braces of a directive.
-    fn parse_inside(inside: &'a str) -> Option<Self> {
-        let (name, words) = inside.split_once(char::is_whitespace).unwrap_or((inside, ""));
+    fn parse_inside(directive_text: &'a str) -> Option<Self> {
+        let (name, words) =
+            directive_text.split_once(char::is_whitespace).unwrap_or((directive_text, ""));
         Some(Self { kind: DirectiveKind::from_name(name)?, words: words.trim() })
     }
 }
@@ -119,9 +120,11 @@ pub fn replace_directives(
     text: &str,
     mut replacement: impl FnMut(Directive) -> ChapterResult<String>,
 ) -> ChapterResult<String> {
-    replace_between(text, "{{#", "}}", |inside| match Directive::parse_inside(inside) {
-        Some(directive) => replacement(directive),
-        None => Err(ChapterError::UnknownDirective(format!("{{{{#{inside}}}}}"))),
+    replace_between(text, "{{#", "}}", |directive_text| {
+        match Directive::parse_inside(directive_text) {
+            Some(directive) => replacement(directive),
+            None => Err(ChapterError::UnknownDirective(format!("{{{{#{directive_text}}}}}"))),
+        }
     })
 }
 

@@ -31,8 +31,9 @@ fn drawing_rules_without_variables(stylesheet: &str, variables: &str) -> String 
     let mut style: String = rules.map(|rule| rule.replace(".drawing ", "")).collect();
     let lines = variables.lines().map(str::trim);
     for (name, value) in lines.filter_map(|line| line.strip_suffix(';')?.split_once(": ")) {
-        let light = value.strip_prefix("light-dark(").and_then(|both| both.split(", ").next());
-        style = style.replace(&format!("var({name})"), light.unwrap_or(value));
+        let light_value =
+            value.strip_prefix("light-dark(").and_then(|values| values.split(", ").next());
+        style = style.replace(&format!("var({name})"), light_value.unwrap_or(value));
     }
     style
 }

@@ -32,9 +32,9 @@ impl Files {
     /// Reads every file in `folder` and its subfolders.
     pub fn read(folder: &Path) -> Result<Self> {
         let (mut files, mut folders) = (BTreeMap::new(), vec![folder.to_owned()]);
-        while let Some(inner) = folders.pop() {
-            let unreadable = || format!("{} can't be read", inner.display());
-            for entry in fs::read_dir(&inner).with_context(unreadable)? {
+        while let Some(subfolder) = folders.pop() {
+            let unreadable = || format!("{} can't be read", subfolder.display());
+            for entry in fs::read_dir(&subfolder).with_context(unreadable)? {
                 let path = entry?.path();
                 if path.is_dir() {
                     folders.push(path);

@@ -139,8 +139,8 @@ fn scripts_understand_fragment(page: &Page, fragment: &str) -> bool {
 /// The addresses from which a stylesheet fetches something: the addresses in `url(…)`, then the
 /// addresses after `@import`.
 fn style_urls(css: &str) -> impl Iterator<Item = &str> {
-    let urls = css.split("url(").skip(1).filter_map(|rest| rest.split(')').next());
-    let imports = css.split("@import \"").skip(1).filter_map(|rest| rest.split('"').next());
+    let urls = css.split("url(").skip(1).filter_map(|part| part.split(')').next());
+    let imports = css.split("@import \"").skip(1).filter_map(|part| part.split('"').next());
     urls.chain(imports).map(|url| url.trim().trim_matches(['"', '\'']))
 }
 

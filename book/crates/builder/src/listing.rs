@@ -191,7 +191,7 @@ fn read_file_of_nearest_earlier_step(path: &str, workspace: &Path) -> Option<Str
 
 /// The indices of the lines of `code` that don't occur in `old`.
 fn new_lines(code: &str, old: &str) -> Vec<usize> {
-    let is_new = |line: &str| !old.lines().any(|known| known == line);
+    let is_new = |line: &str| !old.lines().any(|old_line| old_line == line);
     let lines = code.lines().enumerate().filter(|(_, line)| is_new(line));
     lines.map(|(k, _)| k).collect()
 }

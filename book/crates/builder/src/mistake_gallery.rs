@@ -7,7 +7,7 @@ use crate::markdown::{html_block, inline_html};
 use crate::picture::{self, LoadingTime};
 use crate::sources::small_picture_name;
 use crate::values::Values;
-use course::{Mistake, MistakePicture, ShownMistake, Step, escape_html, mistakes};
+use course::{Mistake, MistakePicture, MistakePresentation, Step, escape_html, mistakes};
 
 /// Returns the Markdown for a directive such as `{{#mistakes step01_rays}}`. The gallery begins
 /// with a contact sheet, which has one small picture for each mistake that the book shows in that
@@ -22,21 +22,21 @@ pub fn gallery_markdown(
         .ok_or_else(|| ChapterError::UnknownStep(step_name.to_owned()))?;
     let (mut items, mut sections) = (String::new(), String::new());
     for mistake in mistakes() {
-        let Some(shown) = &mistake.shown else { continue };
+        let Some(presentation) = &mistake.presentation else { continue };
         let Some(MistakePicture { name, .. }) =
-            shown.pictures.first().filter(|picture| picture.step == step)
+            presentation.pictures.first().filter(|picture| picture.step == step)
         else {
             continue;
         };
         let (title, source) =
             (title_html(mistake, &sources.values)?, format!("generated/mistake-{name}.png"));
         let picture =
-            picture::image_html(&shown.effect.replace('`', ""), &source, sources, loading)?;
+            picture::image_html(&presentation.effect.replace('`', ""), &source, sources, loading)?;
         items += &format!("- [{picture} {title}](#{name})\n");
         sections += &format!("### {title} {{#{name}}}\n");
         sections += &html_block(&yours_ours_difference_html(&source, step, sources, loading)?);
         sections += &html_block(&changed_lines_html(mistake));
-        sections += &(reason_markdown(mistake, shown, &sources.values)? + "\n\n");
+        sections += &(reason_markdown(mistake, presentation, &sources.values)? + "\n\n");
     }
     let [begin, end] = ["<div class=\"contacts\">", "</div>"].map(html_block);
     Ok([begin, items, end, sections].concat())
@@ -46,7 +46,7 @@ pub fn gallery_markdown(
 /// again.
 fn reason_markdown(
     mistake: &Mistake,
-    ShownMistake { section, reason, .. }: &ShownMistake,
+    MistakePresentation { section, reason, .. }: &MistakePresentation,
     values: &Values,
 ) -> ChapterResult<String> {
     let address = mistake.section_address("md").unwrap_or_default();
@@ -85,7 +85,7 @@ fn title_html(Mistake { title, .. }: &Mistake, values: &Values) -> ChapterResult
     let word = title.split(' ').next().unwrap_or_default();
     let is_word = word.len() > 1 && word.chars().all(|c| c.is_ascii_lowercase());
     let title = match title.split_at_checked(1) {
-        Some((first, rest)) if is_word => first.to_uppercase() + rest,
+        Some((first, remaining_letters)) if is_word => first.to_uppercase() + remaining_letters,
         _ => (*title).to_owned(),
     };
     inline_html(&symbols_as_formulas(&title), values)

@@ -8,13 +8,13 @@ use crate::values::Values;
 use mdbook_markdown::pulldown_cmark::{Event, Tag};
 use std::ops::Range;
 
-/// Returns the HTML that opens a wrapper around a block, its notes, and any tool that opens beside
-/// the block.
+/// Returns the opening HTML of a wrapper. The wrapper contains a block, the block's notes, and any
+/// tool that appears beside the block.
 pub fn wrapper_opening_html() -> String {
     html_block("<div class=\"with-margin\">")
 }
 
-/// Returns the HTML that closes the wrapper opened by [`wrapper_opening_html`].
+/// Returns the closing HTML of the wrapper that [`wrapper_opening_html`] begins.
 pub fn wrapper_closing_html() -> String {
     html_block("</div>")
 }
@@ -60,7 +60,8 @@ pub fn find_noted_blocks(text: &str, events: &[(Event, Range<usize>)]) -> Vec<Ra
                     continue;
                 }
                 let directive = Directive::parse(&text[range.clone()]);
-                let kind = directive.filter(|_| *tag == Tag::Paragraph).map(|found| found.kind);
+                let kind =
+                    directive.filter(|_| *tag == Tag::Paragraph).map(|directive| directive.kind);
                 if !matches!(kind, Some(DirectiveKind::Note(_))) {
                     block = can_be_followed_by_notes(tag, kind).then(|| range.clone());
                 } else if let Some(block) = &mut block {

@@ -47,16 +47,17 @@ pub fn fill_in_numbers_in_formula(
         _ => Err(ChapterError::DirectiveInFormula(directive.to_string())),
     })?;
     let mathml = to_mathml(&latex)?;
-    let (mut filled, mut rest) = (String::new(), mathml.as_str());
+    let (mut filled_mathml, mut remaining_mathml) = (String::new(), mathml.as_str());
     for (k, name) in live_numbers.into_iter().enumerate() {
         let number = live_number_html("mn", &name, values)?;
         let text = format!("<mtext>live{k}</mtext>");
-        let (before, after) = rest.split_once(&text).ok_or(ChapterError::NumberInFormula(name))?;
-        filled += before;
-        filled += &number;
-        rest = after;
+        let (mathml_before, mathml_after) =
+            remaining_mathml.split_once(&text).ok_or(ChapterError::NumberInFormula(name))?;
+        filled_mathml += mathml_before;
+        filled_mathml += &number;
+        remaining_mathml = mathml_after;
     }
-    Ok(filled + rest)
+    Ok(filled_mathml + remaining_mathml)
 }
 
 /// Returns the HTML element for a number that the page updates. `tag` is the element's tag. At

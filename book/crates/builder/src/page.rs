@@ -74,7 +74,7 @@ pub struct Element {
 impl Element {
     /// The value of an attribute, or None if the element doesn't have that attribute.
     pub fn attr(&self, name: &str) -> Option<&str> {
-        let value = self.attributes.iter().find(|(other, _)| other == name);
+        let value = self.attributes.iter().find(|(key, _)| key == name);
         value.map(|(_, value)| &**value)
     }
 }

@@ -85,11 +85,11 @@ pub fn image_html_from_markdown(
 /// list of mistakes. Returns None for any other picture.
 fn mistake_effect_of_picture(source: &str) -> Option<String> {
     let name = source.strip_prefix("generated/mistake-")?.strip_suffix(".png")?;
-    let all = mistakes();
-    let mut shown = all.iter().filter_map(|mistake| mistake.shown.as_ref());
-    let mistake =
-        shown.find(|mistake| mistake.pictures.iter().any(|picture| picture.name == name))?;
-    Some(mistake.effect.replace('`', ""))
+    let all_mistakes = mistakes();
+    let mut presentations = all_mistakes.iter().filter_map(|mistake| mistake.presentation.as_ref());
+    let presentation = presentations
+        .find(|presentation| presentation.pictures.iter().any(|picture| picture.name == name))?;
+    Some(presentation.effect.replace('`', ""))
 }
 
 /// Returns the HTML of a picture, with this alt text and with the picture's width and height. If
@@ -218,7 +218,7 @@ mod tests {
     #[test]
     fn printed_page_loads_all_pictures() {
         let html = r#"<img src="a" loading="lazy"><img src="b" fetchpriority="high">"#;
-        let printed = r#"<img src="a"><img src="b" fetchpriority="high">"#;
-        assert_eq!(remove_lazy_loading(html), printed);
+        let printed_html = r#"<img src="a"><img src="b" fetchpriority="high">"#;
+        assert_eq!(remove_lazy_loading(html), printed_html);
     }
 }

@@ -21,8 +21,8 @@ pub fn replace_between<E: From<MissingEnd>>(
     let mut parts = text.split(begin);
     let mut replaced = parts.next().unwrap_or_default().to_owned();
     for part in parts {
-        let (inside, tail) = part.split_once(end).ok_or(MissingEnd { begin, end })?;
-        replaced += &replacement(inside)?;
+        let (inner_text, tail) = part.split_once(end).ok_or(MissingEnd { begin, end })?;
+        replaced += &replacement(inner_text)?;
         replaced += tail;
     }
     Ok(replaced)
@@ -33,7 +33,7 @@ mod tests {
     use super::*;
 
     fn upper_case_between_angle_brackets(text: &str) -> Result<String, MissingEnd> {
-        replace_between(text, "<", ">", |inside| Ok(inside.to_uppercase()))
+        replace_between(text, "<", ">", |inner_text| Ok(inner_text.to_uppercase()))
     }
 
     #[test]

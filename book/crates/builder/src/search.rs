@@ -147,8 +147,8 @@ fn page_sections(page: &Page) -> Vec<Section> {
                 &(page.text_without(part, |part| is_skipped(part) || is_listing(part)) + " ");
             // Also add listings inside this part, such as listings in a folded box, unless the
             // search skips the part.
-            let inside = if is_skipped(part) { &[] } else { page.descendants(part) };
-            for listing in iter::once(part).chain(inside).filter(|part| is_listing(part)) {
+            let descendants = if is_skipped(part) { &[] } else { page.descendants(part) };
+            for listing in iter::once(part).chain(descendants).filter(|part| is_listing(part)) {
                 section.listings += &(page.text_without(listing, is_skipped) + " ");
             }
         }
@@ -189,8 +189,9 @@ mod tests {
             assert!(sentence.ends_with('.'), "the sentence for {messages:?} has no full stop");
         }
         let messages = hints.iter().flat_map(|hint| &hint.messages);
-        let mut all = phrases.values().flatten().chain(synonyms.iter().flatten()).chain(messages);
-        assert!(all.all(|phrase| phrase.chars().any(char::is_alphanumeric)));
+        let mut all_phrases =
+            phrases.values().flatten().chain(synonyms.iter().flatten()).chain(messages);
+        assert!(all_phrases.all(|phrase| phrase.chars().any(char::is_alphanumeric)));
     }
 
     #[test]

@@ -84,8 +84,8 @@ impl Sources {
     /// versions.
     pub fn smaller_versions(&self, source: &str) -> Vec<(u32, String)> {
         let name = source.strip_suffix(".png").unwrap_or(source);
-        let all = COVER_COLUMNS.map(|columns| (columns, cover_version_name(name, columns)));
-        all.into_iter().filter(|(_, source)| self.picture_size(source).is_some()).collect()
+        let versions = COVER_COLUMNS.map(|columns| (columns, cover_version_name(name, columns)));
+        versions.into_iter().filter(|(_, source)| self.picture_size(source).is_some()).collect()
     }
 }
 

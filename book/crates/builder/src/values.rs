@@ -70,8 +70,8 @@ impl Values {
             None => (None, readout),
         };
         let key = (figure_name.to_owned(), pixel.map(str::to_owned));
-        let mut known = self.readouts.lock().unwrap_or_else(PoisonError::into_inner);
-        let readouts = match known.entry(key) {
+        let mut cache = self.readouts.lock().unwrap_or_else(PoisonError::into_inner);
+        let readouts = match cache.entry(key) {
             Entry::Occupied(entry) => entry.into_mut(),
             Entry::Vacant(entry) => entry.insert(compute_readouts(figure, pixel)?),
         };
@@ -156,10 +156,10 @@ mod tests {
         // Change a text in the cache. This change would be lost if the readouts were computed
         // again.
         let key = ("step02_sphere".to_owned(), Some("300,150".to_owned()));
-        let mut known = values.readouts.lock().expect("the lock isn't poisoned");
-        let readouts = known.get_mut(&key).expect("the readouts of the pixel are cached");
+        let mut cache = values.readouts.lock().expect("the lock isn't poisoned");
+        let readouts = cache.get_mut(&key).expect("the readouts of the pixel are cached");
         readouts.insert("b0".to_owned(), "kept".to_owned());
-        drop(known);
+        drop(cache);
         assert_eq!(
             values.text("step02_sphere:300,150:b0", Notation::Prose).expect("the value exists"),
             "kept"

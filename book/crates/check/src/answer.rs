@@ -91,8 +91,8 @@ impl Cause {
             ("step", self.step().map(Step::name)),
             ("file", self.file()),
         ];
-        let known = fields.into_iter().filter_map(|(name, value)| Some((name, value?)));
-        json::object(known.map(|(name, value)| (name, json::quote(value))))
+        let known_fields = fields.into_iter().filter_map(|(name, value)| Some((name, value?)));
+        json::object(known_fields.map(|(name, value)| (name, json::quote(value))))
     }
 }
 

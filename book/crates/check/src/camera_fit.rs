@@ -78,8 +78,9 @@ impl MatrixNumber {
     }
 }
 
-/// Returns cameras with a plausible mistake in the formula for one number, or for the height of the
-/// view. Each camera comes with a description of the wrong formula.
+/// Returns cameras that each have a plausible mistake in one formula: the formula for a number of
+/// the camera's matrix, or the formula for the height of the view. Each camera comes with a
+/// description of the wrong formula.
 fn cameras_with_wrong_formulas() -> Vec<(Camera, String)> {
     let ours = camera();
     let tan = -ours.matrix.z_axis.x;

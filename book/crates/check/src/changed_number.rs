@@ -13,8 +13,8 @@ pub(crate) fn find_changed_numbers(
     budget: &Budget,
 ) -> Vec<String> {
     let mut pixels: Vec<_> = comparison.pixels().collect();
-    let own = OwnScene::new(scene.own.scene.clone());
-    let mut changed = StepScene { own, ..*scene };
+    let own_scene = OwnScene::new(scene.own_scene.scene.clone());
+    let mut changed_scene = StepScene { own_scene, ..*scene };
     let mut descriptions = vec![];
     for quantity in QUANTITIES {
         let Some(typed) = quantity.typed.filter(|typed| typed.first_step <= scene.step) else {
@@ -22,21 +22,22 @@ pub(crate) fn find_changed_numbers(
         };
         for (k, owner) in owner_names(scene, quantity.owner).into_iter().enumerate() {
             for scalar in quantity.scalars {
-                let old = scalar.get(&scene.own, k);
+                let old = scalar.get(&scene.own_scene, k);
                 for new in numbers_in_typed_range(typed).filter(|new| *new != old) {
-                    scalar.set(&mut changed.own, k, new);
+                    scalar.set(&mut changed_scene.own_scene, k, new);
                     let is_found = budget.holds_for_all(&mut pixels, 1, |pixel| {
-                        changed.bytes(&pixel.ray) == pixel.yours
+                        changed_scene.bytes(&pixel.ray) == pixel.yours
                     });
                     if is_found {
-                        let [new, old] = [&changed.own, &scene.own].map(|own| {
-                            replace_hyphens_with_minus(&format_quantity(quantity, own, k))
-                        });
+                        let [new, old] =
+                            [&changed_scene.own_scene, &scene.own_scene].map(|own_scene| {
+                                replace_hyphens_with_minus(&format_quantity(quantity, own_scene, k))
+                            });
                         descriptions
                             .push(format!("{} of {owner} = {new} instead of {old}", quantity.name));
                     }
                 }
-                scalar.set(&mut changed.own, k, old);
+                scalar.set(&mut changed_scene.own_scene, k, old);
             }
         }
     }
@@ -63,9 +64,13 @@ fn numbers_in_typed_range(
 
 /// Formats a quantity as it is typed in Rust: `-2.5`, or `(1, -2.5, 0)`. The quantity belongs to
 /// the owner with index `owner_index`, for example to an object.
-pub(crate) fn format_quantity(quantity: &Quantity, own: &OwnScene, owner_index: usize) -> String {
+pub(crate) fn format_quantity(
+    quantity: &Quantity,
+    own_scene: &OwnScene,
+    owner_index: usize,
+) -> String {
     let numbers: Vec<_> =
-        quantity.scalars.iter().map(|scalar| scalar.get(own, owner_index)).collect();
+        quantity.scalars.iter().map(|scalar| scalar.get(own_scene, owner_index)).collect();
     format_as_typed(&numbers)
 }
 

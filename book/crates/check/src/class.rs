@@ -42,7 +42,7 @@ pub fn report_on_class(
         let name = printable_name(&student.name);
         let mut report = check_student(name, find_files(student), required);
         report.notes.extend(duplicates.note(student));
-        report.notes.extend(listed_names.as_ref().and_then(|listed| listed.note(student)));
+        report.notes.extend(listed_names.as_ref().and_then(|names| names.note(student)));
         report
     };
     let mut students: Vec<_> = class.students.par_iter().map(check).collect();

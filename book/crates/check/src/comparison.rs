@@ -96,9 +96,9 @@ impl Budget {
     /// Subtracts a cost from the budget. If the cost exceeds the budget, spends what is left and
     /// returns false.
     pub fn spend(&self, cost: u32) -> bool {
-        let rest = self.0.get().checked_sub(cost);
-        self.0.set(rest.unwrap_or(0));
-        rest.is_some()
+        let remaining_budget = self.0.get().checked_sub(cost);
+        self.0.set(remaining_budget.unwrap_or(0));
+        remaining_budget.is_some()
     }
 
     /// Returns whether `condition` holds for every item. Testing an item costs `cost`. If the

@@ -189,8 +189,8 @@ fn describe_mistake(mistake: &Mistake) -> Vec<String> {
     if lines.len() > MAX_DIFF_LINES {
         lines.clear();
     }
-    if let Some(shown) = &mistake.shown {
-        lines.push(shown.reason.to_owned());
+    if let Some(presentation) = &mistake.presentation {
+        lines.push(presentation.reason.to_owned());
     }
     lines.extend(section_sentence(mistake));
     lines
@@ -199,7 +199,7 @@ fn describe_mistake(mistake: &Mistake) -> Vec<String> {
 /// Returns the sentence that says which section of the book to read again, or None if the book
 /// doesn't show the mistake.
 pub(crate) fn section_sentence(mistake: &Mistake) -> Option<String> {
-    let heading = mistake.shown.as_ref()?.section;
+    let heading = mistake.presentation.as_ref()?.section;
     Some(format!("See step {}, \"{heading}\".", mistake.step.number()))
 }
 
@@ -217,9 +217,9 @@ fn describe_wrong_pixels(comparison: &Comparison, facts: Vec<String>) -> Vec<Str
         most_different.largest_difference()
     );
     // If no byte is off by more than 1, the line with the count is more helpful than any fact.
-    let (before, after) =
+    let (leading_facts, trailing_facts) =
         if most_different.largest_difference() == 1 { (vec![], facts) } else { (facts, vec![]) };
-    let mut lines = [before, vec![count], after].concat();
+    let mut lines = [leading_facts, vec![count], trailing_facts].concat();
     if let Some(scene) = &target.scene {
         // Step 1 is never ruled out: even if the sky is right, the camera may be slightly off, or
         // rgb8 or Ray::at may be wrong.
@@ -237,7 +237,7 @@ fn describe_wrong_pixels(comparison: &Comparison, facts: Vec<String>) -> Vec<Str
 #[cfg(test)]
 mod tests {
     use super::*;
-    use course::ShownMistake;
+    use course::MistakePresentation;
 
     fn made_up_mistake(title: &'static str, file: &str) -> Mistake {
         Mistake {
@@ -246,7 +246,7 @@ mod tests {
             file: file.to_owned(),
             old: "a".to_owned(),
             new: "b".to_owned(),
-            shown: None,
+            presentation: None,
         }
     }
 
@@ -256,7 +256,7 @@ mod tests {
 
     #[test]
     fn files_of_all_causes_are_named_once() {
-        let listed = [
+        let six_causes = [
             made_up_cause("slip 1", "a.rs"),
             made_up_cause("slip 2", "b.rs"),
             made_up_cause("slip 3", "a.rs"),
@@ -265,10 +265,11 @@ mod tests {
             made_up_cause("slip 6", "c.rs"),
         ];
         let number = Cause::SceneNumber("another number".to_owned());
-        let both = [listed[0].clone(), number];
-        let all = [&listed[..], &listed[..1], &both[1..], &both[..], &[]];
+        let two_causes = [six_causes[0].clone(), number];
+        let cause_lists =
+            [&six_causes[..], &six_causes[..1], &two_causes[1..], &two_causes[..], &[]];
         insta::assert_snapshot!(
-            all.map(|causes| describe_causes(causes, None).join("\n")).join("\n\n")
+            cause_lists.map(|causes| describe_causes(causes, None).join("\n")).join("\n\n")
         );
     }
 
@@ -279,9 +280,13 @@ mod tests {
         let three_lines = Mistake { new: "b\nb\nb".to_owned(), ..short.clone() };
         assert_eq!(describe_mistake(&three_lines), ["  - a", "  + b", "  + b", "  + b"]);
         let four_lines = "b\nb\nb\nb".to_owned();
-        let shown =
-            ShownMistake { pictures: vec![], reason: "It is b.", section: "Letters", effect: "" };
-        let long = Mistake { new: four_lines, shown: Some(shown), ..short };
+        let presentation = MistakePresentation {
+            pictures: vec![],
+            reason: "It is b.",
+            section: "Letters",
+            effect: "",
+        };
+        let long = Mistake { new: four_lines, presentation: Some(presentation), ..short };
         assert_eq!(describe_mistake(&long), ["It is b.", "See step 2, \"Letters\"."]);
     }
 }

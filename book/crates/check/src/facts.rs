@@ -84,7 +84,7 @@ fn missing_terms_sentence(wrong: &[Pixel], scene: &StepScene) -> Option<String> 
     let choices = 1..(1_usize << count) - 1;
     let mut smallest_first = (1..count as u32)
         .flat_map(|terms| choices.clone().filter(move |choice| choice.count_ones() == terms));
-    let lights = &scene.own.scene.lights;
+    let lights = &scene.own_scene.scene.lights;
     let choice = smallest_first.find(|choice| {
         wrong.iter().all(|Pixel { ray, hit, yours, .. }| {
             let Some(hit) = *hit else { return false };

@@ -53,7 +53,7 @@ struct Arguments {
     /// Also writes the answers to the problems, as answers.html
     #[arg(long, requires = "out")]
     answers: bool,
-    /// A word from which each scene is generated, together with the name. The word appears on no
+    /// A secret word. Each scene is generated from this word and the name. The word appears on no
     /// sheet
     #[arg(long, value_name = "WORD", requires = "sheet", conflicts_with_all = ["file", "folder"])]
     #[arg(value_parser = NonEmptyStringValueParser::new().map(|word| compose_characters(&word)))]

@@ -71,10 +71,10 @@ impl Options {
         if self.samples != 1 {
             options += &format!(" --samples {}", self.samples);
         }
-        let all = columns as usize * rows as usize;
+        let pixel_count = columns as usize * rows as usize;
         match self.compared_count {
-            count if count < all => format!(
-                "So may the right program with {options}: {count} of {all} pixels were compared."
+            count if count < pixel_count => format!(
+                "So may the right program with {options}: {count} of {pixel_count} pixels were compared."
             ),
             _ => format!("So does the right program with {options}."),
         }
@@ -89,7 +89,7 @@ impl Options {
     /// stands for our picture, such as `the picture of glass`.
     pub fn headline(&self, title: &str) -> String {
         let ((columns, rows), samples) = (self.size, self.samples);
-        let all = columns as usize * rows as usize;
+        let pixel_count = columns as usize * rows as usize;
         let options = format!(
             "{title} at {columns}×{rows} pixels, {}° and {samples}×{samples} rays per pixel",
             self.fov_degrees
@@ -99,8 +99,10 @@ impl Options {
                 "This is {options}, in every pixel, but one colour says little: further options \
                  and mistakes may give it, too."
             ),
-            count if count < all => {
-                format!("{count} of {all} pixels were compared, and are those of {options}.")
+            count if count < pixel_count => {
+                format!(
+                    "{count} of {pixel_count} pixels were compared, and are those of {options}."
+                )
             }
             _ => format!("This is what a right program draws, in every pixel: {options}."),
         }
@@ -241,9 +243,9 @@ fn sampled_border_positions((columns, rows): (u32, u32)) -> impl Iterator<Item =
 /// centre if pixels are small. At an edge, the mean may be anything, so we accept every colour.
 fn may_be_right(scene: &StepScene, camera: &Camera, yours: &RgbImage, (i, j): (u32, u32)) -> bool {
     let (x, y) = (f64::from(i), f64::from(j));
-    let seen_at = |(u, v)| scene.visible_hit(&camera.ray(x + u, y + v)).map(|hit| hit.object);
-    let (intensity, seen) = (scene.colour(&camera.ray(x, y)), seen_at((0.0, 0.0)));
-    let tolerance = match seen {
+    let object_at = |(u, v)| scene.visible_hit(&camera.ray(x + u, y + v)).map(|hit| hit.object);
+    let (intensity, centre_object) = (scene.colour(&camera.ray(x, y)), object_at((0.0, 0.0)));
+    let tolerance = match centre_object {
         None => 0.5 + ROUNDING,
         Some(_) => OBJECT_TOLERANCE,
     };
@@ -252,8 +254,8 @@ fn may_be_right(scene: &StepScene, camera: &Camera, yours: &RgbImage, (i, j): (u
         (exact_byte - f64::from(yours.get_pixel(i, j)[k])).abs() < tolerance
     };
     let corners = [(-0.5, -0.5), (0.5, -0.5), (-0.5, 0.5), (0.5, 0.5)];
-    let has_edge = || corners.into_iter().any(|corner| seen_at(corner) != seen);
-    let is_coarse = seen.is_some() && camera.h_res < COARSE_COLUMNS;
+    let has_edge = || corners.into_iter().any(|corner| object_at(corner) != centre_object);
+    let is_coarse = centre_object.is_some() && camera.h_res < COARSE_COLUMNS;
     (0..3).all(is_near) || is_coarse || has_edge()
 }
 
@@ -299,13 +301,16 @@ mod tests {
             compared_count,
             is_one_colour: false,
         };
-        let all = options((640, 360), 1, 230_400);
-        assert_eq!(all.same_picture_sentence(), "So does the right program with --fov 75.5.");
-        let some = options((64, 32), 2, 100);
+        let certain_options = options((640, 360), 1, 230_400);
+        assert_eq!(
+            certain_options.same_picture_sentence(),
+            "So does the right program with --fov 75.5."
+        );
+        let possible_options = options((64, 32), 2, 100);
         let sentence = "So may the right program with --fov 75.5 --width 64 --aspect 64:32 \
                         --samples 2: 100 of 2048 pixels were compared.";
-        assert_eq!(some.same_picture_sentence(), sentence);
-        assert!(all.has_at_most_one_decimal());
-        assert!(!Options { fov_degrees: 75.55, ..all }.has_at_most_one_decimal());
+        assert_eq!(possible_options.same_picture_sentence(), sentence);
+        assert!(certain_options.has_at_most_one_decimal());
+        assert!(!Options { fov_degrees: 75.55, ..certain_options }.has_at_most_one_decimal());
     }
 }

@@ -151,10 +151,10 @@ pub(crate) fn read_png(file: &[u8]) -> Result<DecodedPng, PngError> {
     let samples = if depth == BitDepth::Sixteen { round_samples(&bytes) } else { bytes };
     let (rgb, transparent) = split_alpha(samples, colour_type);
     if let Some(first) = transparent.first {
-        let (count, all) = (transparent.count, columns as usize * rows as usize);
+        let (count, pixel_count) = (transparent.count, columns as usize * rows as usize);
         let (i, j) = (first % columns as usize, first / columns as usize);
         notes.push(format!(
-            "In {count} of {all} pixels the file is not opaque, first in column {i}, row {j}: a \
+            "In {count} of {pixel_count} pixels the file is not opaque, first in column {i}, row {j}: a \
              viewer may show other colours there."
         ));
     }
@@ -243,8 +243,8 @@ fn clause_unless_png(file: &[u8]) -> Option<&'static str> {
     }
     let start = file.trim_ascii_start();
     let is_format = |(offset, signature, _): &&(usize, &[u8], &str)| {
-        let found = start.get(*offset..offset + signature.len());
-        found.is_some_and(|found| found.eq_ignore_ascii_case(signature))
+        let bytes = start.get(*offset..offset + signature.len());
+        bytes.is_some_and(|bytes| bytes.eq_ignore_ascii_case(signature))
     };
     let format = FORMATS.iter().find(is_format).map(|(_, _, clause)| *clause);
     let clause = format.or_else(|| netpbm_clause(start)).or_else(|| bmp_clause(start));

@@ -8,7 +8,7 @@ use step05_phong::{Light, Ray, Terms, ambient, direction_colour, light_terms, no
 /// A scene, and the step whose functions draw it.
 pub(crate) struct StepScene {
     pub step: Step,
-    pub own: OwnScene,
+    pub own_scene: OwnScene,
     /// The names of the lights, in the order of the scene.
     pub light_names: [&'static str; 2],
 }
@@ -36,18 +36,18 @@ impl StepScene {
             _ => {}
         }
         let light_names = LIGHT_NAMES.map(|light| light.with_article);
-        Self { step, own: OwnScene::new(scene), light_names }
+        Self { step, own_scene: OwnScene::new(scene), light_names }
     }
 
     /// The scene that is generated from a name, drawn by step 5.
     pub fn of_generated_scene(name: &str) -> Self {
         let light_names = ["the first light", "the second light"];
-        Self { step: Step::Phong, own: OwnScene::new(generate_scene(name)), light_names }
+        Self { step: Step::Phong, own_scene: OwnScene::new(generate_scene(name)), light_names }
     }
 
     /// The names of the objects. Names that don't end in a number get an article.
     pub fn object_names(&self) -> Vec<String> {
-        let names = self.own.scene.objects.iter().map(|object| object.name);
+        let names = self.own_scene.scene.objects.iter().map(|object| object.name);
         let has_number = |name: &str| name.ends_with(|c: char| c.is_numeric());
         names
             .map(|name| if has_number(name) { name.into() } else { format!("the {name}") })
@@ -67,7 +67,7 @@ impl StepScene {
 
     /// The first hit of a ray on each object, whether or not the hit is visible.
     pub fn first_hits_on_objects(&self, ray: &Ray) -> impl Iterator<Item = ObjectHit> {
-        self.own.scene.objects.iter().enumerate().filter_map(|(k, object)| {
+        self.own_scene.scene.objects.iter().enumerate().filter_map(|(k, object)| {
             let t = object.sphere.intersect(ray).first_hit()?;
             Some(ObjectHit { t, object: k })
         })
@@ -81,7 +81,7 @@ impl StepScene {
     /// The intensity of the light from an object at a hit, whether or not the hit is visible.
     pub fn colour_at_hit(&self, ray: &Ray, hit: ObjectHit) -> DVec3 {
         match self.step < Step::Diffuse {
-            true => self.own.scene.objects[hit.object].material.matte.diffuse,
+            true => self.own_scene.scene.objects[hit.object].material.matte.diffuse,
             false => self.terms_at_hit(ray, hit).sum(),
         }
     }
@@ -91,7 +91,7 @@ impl StepScene {
     pub fn terms_at_hit(&self, ray: &Ray, hit: ObjectHit) -> Terms {
         let ambient = self.ambient_at_hit(hit);
         let mut terms = Terms { ambient, ..Terms::default() };
-        for light in &self.own.scene.lights {
+        for light in &self.own_scene.scene.lights {
             terms += self.light_terms_at_hit(ray, hit, light);
         }
         terms
@@ -99,14 +99,14 @@ impl StepScene {
 
     /// The ambient term I_a at a hit.
     pub fn ambient_at_hit(&self, hit: ObjectHit) -> DVec3 {
-        let scene = &self.own.scene;
+        let scene = &self.own_scene.scene;
         ambient(&scene.objects[hit.object].material.matte, scene.ambient_light)
     }
 
     /// One light's terms at a hit, whether or not the hit is visible. Before step 5, the specular
     /// term is zero.
     pub fn light_terms_at_hit(&self, ray: &Ray, hit: ObjectHit, light: &Light) -> Terms {
-        let object = &self.own.scene.objects[hit.object];
+        let object = &self.own_scene.scene.objects[hit.object];
         let p = ray.at(hit.t);
         let v = -ray.direction.normalize();
         let terms = light_terms(p, normal(&object.sphere, p), v, &object.material, light);
@@ -123,9 +123,9 @@ mod tests {
 
     #[test]
     fn scene_of_a_step_has_the_objects_of_that_step() {
-        let counts = Step::ALL.map(|step| StepScene::of_step(step).own.scene.objects.len());
+        let counts = Step::ALL.map(|step| StepScene::of_step(step).own_scene.scene.objects.len());
         assert_eq!(counts, [0, 1, 9, 9, 9]);
         let sphere = StepScene::of_step(Step::Sphere);
-        assert_eq!(sphere.own.scene.objects[0].sphere, step02_sphere::SPHERE);
+        assert_eq!(sphere.own_scene.scene.objects[0].sphere, step02_sphere::SPHERE);
     }
 }

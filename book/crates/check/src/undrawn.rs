@@ -137,8 +137,9 @@ impl Mask {
     }
 
     fn inside_positions(&self) -> impl Iterator<Item = (u32, u32)> {
-        let inside = self.pixels().filter(|(_, _, membership)| *membership == Membership::Inside);
-        inside.map(|(i, j, _)| (i, j))
+        let inside_pixels =
+            self.pixels().filter(|(_, _, membership)| *membership == Membership::Inside);
+        inside_pixels.map(|(i, j, _)| (i, j))
     }
 
     fn inside_count(&self) -> usize {
@@ -204,8 +205,8 @@ impl Mask {
         Some(Shape { words, cause })
     }
 
-    /// Finds a shape that consists of all crossings of certain columns with certain rows. Examples
-    /// are a rectangle, and every other row.
+    /// Finds a shape that consists of all crossings of certain columns with certain rows: a
+    /// rectangle, for example, or every second row.
     fn find_column_row_crossings(&self) -> Option<Shape> {
         let columns: BTreeSet<_> = self.inside_positions().map(|(i, _)| i).collect();
         let rows: BTreeSet<_> = self.inside_positions().map(|(_, j)| j).collect();
@@ -223,10 +224,10 @@ impl Mask {
     fn find_whole_columns_and_rows(&self) -> Option<Shape> {
         let columns: BTreeSet<_> = (0..self.columns).collect();
         let rows: BTreeSet<_> = (0..self.rows).collect();
-        let outside =
+        let outside_pixels =
             || self.pixels().filter(|(_, _, membership)| *membership == Membership::Outside);
-        let kept_columns: BTreeSet<_> = outside().map(|(i, _, _)| i).collect();
-        let kept_rows: BTreeSet<_> = outside().map(|(_, j, _)| j).collect();
+        let kept_columns: BTreeSet<_> = outside_pixels().map(|(i, _, _)| i).collect();
+        let kept_rows: BTreeSet<_> = outside_pixels().map(|(_, j, _)| j).collect();
         let fits_shape =
             self.fits_shape(|i, j| !kept_columns.contains(&i) || !kept_rows.contains(&j));
         let columns = &columns - &kept_columns;
@@ -244,21 +245,22 @@ impl Mask {
 
     /// Finds a few rectangles, such as tiles that some threads never drew.
     fn find_rectangles(&self) -> Option<Shape> {
-        let mut rest = self.memberships.clone();
+        let mut remaining_memberships = self.memberships.clone();
         let index = |i: u32, j: u32| (j * self.columns + i) as usize;
         let mut words = vec![];
-        while let Some(first) = rest.iter().position(|membership| *membership == Membership::Inside)
+        while let Some(first) =
+            remaining_memberships.iter().position(|membership| *membership == Membership::Inside)
         {
             if words.len() == MAX_RECTANGLES {
                 return None;
             }
             let (left, top) = (first as u32 % self.columns, first as u32 / self.columns);
-            let is_inside = |i, j| rest[index(i, j)] == Membership::Inside;
+            let is_inside = |i, j| remaining_memberships[index(i, j)] == Membership::Inside;
             let right = (left..self.columns).take_while(|i| is_inside(*i, top)).last()?;
             let is_row = |j: &u32| (left..=right).all(|i| is_inside(i, *j));
             let bottom = (top..self.rows).take_while(is_row).last()?;
             for j in top..=bottom {
-                rest[index(left, j)..=index(right, j)].fill(Membership::Possible);
+                remaining_memberships[index(left, j)..=index(right, j)].fill(Membership::Possible);
             }
             let [columns, rows] = [left..=right, top..=bottom].map(BTreeSet::from_iter);
             words.push(join_columns_and_rows(
@@ -290,17 +292,17 @@ impl Mask {
         let falling = self.find_period(|i, j| i + self.rows - j);
         let rising = || self.find_period(|i, j| i + j);
         falling
-            .map(|found| describe("falling to the right", found))
-            .or_else(|| rising().map(|found| describe("rising to the right", found)))
+            .map(|pattern| describe("falling to the right", pattern))
+            .or_else(|| rising().map(|pattern| describe("rising to the right", pattern)))
     }
 
     /// Looks for a shape that repeats. `number` gives each pixel a number. The shape must consist
     /// of all pixels whose number, divided by a period, leaves certain remainders. Returns the
     /// smallest period for which the shape fits, and the remainders.
     fn find_period(&self, number: impl Fn(u32, u32) -> u32) -> Option<(u32, BTreeSet<u32>)> {
-        let inside: Vec<_> = self.inside_positions().map(|(i, j)| number(i, j)).collect();
+        let numbers: Vec<_> = self.inside_positions().map(|(i, j)| number(i, j)).collect();
         (2..=LARGEST_PERIOD).find_map(|period| {
-            let remainders: BTreeSet<_> = inside.iter().map(|number| number % period).collect();
+            let remainders: BTreeSet<_> = numbers.iter().map(|number| number % period).collect();
             let fits_shape = self.fits_shape(|i, j| remainders.contains(&(number(i, j) % period)));
             fits_shape.then_some((period, remainders))
         })
@@ -310,15 +312,15 @@ impl Mask {
     /// 359`. Returns None if `lines` is empty, or if `lines` contains every row or every column of
     /// the picture.
     fn format_lines(&self, kind: LineKind, lines: &BTreeSet<u32>) -> Option<String> {
-        let (word, all) = match kind {
+        let (word, total_count) = match kind {
             LineKind::Column => ("column", self.columns),
             LineKind::Row => ("row", self.rows),
         };
         let (first, last) = (lines.first()?, lines.last()?);
         let mut steps = lines.iter().zip(lines.iter().skip(1)).map(|(line, next)| next - line);
         let step = steps.next().unwrap_or(1);
-        Some(match (lines.len(), steps.all(|other| other == step)) {
-            (count, _) if count == all as usize => return None,
+        Some(match (lines.len(), steps.all(|next_step| next_step == step)) {
+            (count, _) if count == total_count as usize => return None,
             (1, _) => format!("{word} {first}"),
             (_, true) if step == 1 => format!("{word}s {first} to {last}"),
             (_, true) => format!("every {} {word} from {first} to {last}", format_ordinal(step)),
@@ -330,8 +332,8 @@ impl Mask {
 /// Joins the descriptions of columns and rows, as in `columns 3 to 9 of row 2`. Returns None if
 /// both are None.
 fn join_columns_and_rows(columns: &Option<String>, rows: &Option<String>) -> Option<String> {
-    let known: Vec<_> = [columns, rows].into_iter().flatten().map(String::as_str).collect();
-    (!known.is_empty()).then(|| known.join(" of "))
+    let descriptions: Vec<_> = [columns, rows].into_iter().flatten().map(String::as_str).collect();
+    (!descriptions.is_empty()).then(|| descriptions.join(" of "))
 }
 
 /// Describes a pattern that repeats, such as `every 3rd pixel`. If each period contains several

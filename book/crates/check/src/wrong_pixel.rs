@@ -28,9 +28,9 @@ fn format_computed_values(scene: &StepScene, ray: &Ray, hit: Option<ObjectHit>) 
         return text;
     }
     let p = ray.at(hit.t);
-    let n = normal(&scene.own.scene.objects[hit.object].sphere, p);
+    let n = normal(&scene.own_scene.scene.objects[hit.object].sphere, p);
     text += &format!(", n = {}", format_vector_four_decimals(n));
-    for (light, name) in scene.own.scene.lights.iter().zip(scene.light_names) {
+    for (light, name) in scene.own_scene.scene.lights.iter().zip(scene.light_names) {
         let (l, d) = light.point_light.direction_from(p);
         text += &format!("; {name}: n·l = {}, d = {d:.4}", format_four_decimals(n.dot(l)));
     }

@@ -229,9 +229,11 @@ fn scene_sheets_are_as_locked() {
     ];
     assert_eq!(names, expected);
     assert_eq!(read_folder(&folder.join("full")), [("other.txt".into(), "text".into())]);
-    let others = read_folder(&folder.join("others"));
-    assert!(others.iter().all(|(name, text)| !format!("{name} {text}").contains("walrus")));
-    assert_ne!(others, read_folder(&folder.join("sheets")));
+    let sheets_with_secret = read_folder(&folder.join("others"));
+    assert!(
+        sheets_with_secret.iter().all(|(name, text)| !format!("{name} {text}").contains("walrus"))
+    );
+    assert_ne!(sheets_with_secret, read_folder(&folder.join("sheets")));
 }
 
 #[test]

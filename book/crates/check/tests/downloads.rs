@@ -18,9 +18,9 @@ fn read_commands_for_teachers(phrase: &str) -> String {
     let path = workspace().join("book/src/teaching.md");
     let page =
         fs::read_to_string(path).expect("the page for teachers can be read").replace('\r', "");
-    let (_, below) = page.split_once(phrase).expect("the page contains the phrase");
-    let (_, below) = below.split_once("\n```sh\n").expect("shell commands follow");
-    below.split_once("\n```\n").expect("the shell commands end").0.to_owned()
+    let (_, text_below) = page.split_once(phrase).expect("the page contains the phrase");
+    let (_, text_below) = text_below.split_once("\n```sh\n").expect("shell commands follow");
+    text_below.split_once("\n```\n").expect("the shell commands end").0.to_owned()
 }
 
 /// Runs shell commands in a folder. Panics if the commands fail or print errors.

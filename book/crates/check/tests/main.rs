@@ -69,7 +69,10 @@ fn format_answer(result: Result<Answer, CheckError>) -> String {
     let text = answer.to_string();
     assert!(text.lines().count() <= 12, "the answer has more than 12 lines:\n{text}");
     if let Some((line, _)) = answer.section_link() {
-        assert!(text.lines().any(|other| other == line), "the line {line} is missing:\n{text}");
+        assert!(
+            text.lines().any(|answer_line| answer_line == line),
+            "the line {line} is missing:\n{text}"
+        );
     }
     let causes: String = answer.causes.iter().map(|cause| format!("\n[{cause}]")).collect();
     format!("[{}]\n{text}{causes}", answer.verdict.label())

@@ -155,7 +155,7 @@ fn answers_about_undrawn_pixels_are_as_locked() {
         if hit.is_some_and(|hit| hit.object.name == "teal sphere") { [0; 3] } else { ours }
     };
     let rows = rows.map(|(title, picture)| (title, RAYS, picture)).into_iter();
-    let others = [
+    let phong_rows = [
         (
             "every other column",
             PHONG,
@@ -163,7 +163,7 @@ fn answers_about_undrawn_pixels_are_as_locked() {
         ),
         ("a black ball", PHONG, map_locked(PHONG, black_ball)),
     ];
-    assert_rows_locked("undrawn_pixels", rows.chain(others));
+    assert_rows_locked("undrawn_pixels", rows.chain(phong_rows));
 }
 
 #[test]
@@ -183,8 +183,8 @@ fn answers_about_colours_are_as_locked() {
         let hits = OBJECTS
             .iter()
             .filter_map(|object| Some((object.sphere.intersect(ray).first_hit()?, object)));
-        let seen = hits.reduce(|best, hit| if hit.0 < best.0 - 0.5 { hit } else { best });
-        seen.map_or_else(|| direction_colour(ray), |(_, object)| object.material)
+        let visible_hit = hits.reduce(|best, hit| if hit.0 < best.0 - 0.5 { hit } else { best });
+        visible_hit.map_or_else(|| direction_colour(ray), |(_, object)| object.material)
     });
     let brighten = |byte: u8| (u32::from(byte) * 3 / 2).min(255) as u8;
     let scene = step04_diffuse::scene();

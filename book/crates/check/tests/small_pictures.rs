@@ -55,14 +55,15 @@ fn facts_of_small_pictures_are_as_locked() {
     use Step::{Diffuse, Nearest, Phong, Rays, Sphere};
     let ours = draw_small_step(Nearest);
     let number = |i: u32, j: u32| COLUMNS * j + i;
-    let seen = |scene: &Scene<Material, Light>, ray: &Ray, terms: fn([DVec3; 5]) -> DVec3| {
+    let ray_colour = |scene: &Scene<Material, Light>, ray: &Ray, terms: fn([DVec3; 5]) -> DVec3| {
         let Some(point) = visible_point(&scene.objects, ray) else { return direction_colour(ray) };
-        let of = |lights: &[Light]| phong(&point, ray, scene.ambient_light, lights);
-        let [warm, cool] = [0, 1].map(|k| of(&scene.lights[k..=k]));
+        let terms_of_lights = |lights: &[Light]| phong(&point, ray, scene.ambient_light, lights);
+        let [warm, cool] = [0, 1].map(|k| terms_of_lights(&scene.lights[k..=k]));
         terms([warm.ambient, warm.diffuse, cool.diffuse, warm.specular, cool.specular])
     };
     let scene = step05_phong::scene();
-    let lit = |terms: fn([DVec3; 5]) -> DVec3| draw(|ray| seen(&scene, ray, terms));
+    let picture_from_terms =
+        |terms: fn([DVec3; 5]) -> DVec3| draw(|ray| ray_colour(&scene, ray, terms));
     let grey = |channel: usize| move |_, _, ours: [u8; 3]| [ours[channel]; 3];
     let is_sphere = |i, j| draw_small_step(Sphere)[(i, j)].0 == [232, 87, 71];
     let only_objects = |change: fn([u8; 3]) -> [u8; 3]| {
@@ -207,17 +208,17 @@ fn facts_of_small_pictures_are_as_locked() {
                 map_small(Phong, |i, _, c| c.map(|b| if b == 255 && i % 2 == 0 { 0 } else { b })),
             ),
             // These pictures have wrong light.
-            ("without ambient", Phong, lit(|[_, b, c, d, e]| b + c + d + e)),
-            ("without warm diffuse", Phong, lit(|[a, _, c, d, e]| a + c + d + e)),
-            ("without cool diffuse", Phong, lit(|[a, b, _, d, e]| a + b + d + e)),
-            ("without warm specular", Phong, lit(|[a, b, c, _, e]| a + b + c + e)),
-            ("without cool specular", Phong, lit(|[a, b, c, d, _]| a + b + c + d)),
-            ("without both diffuse", Phong, lit(|[a, _, _, d, e]| a + d + e)),
-            ("without ambient and specular", Phong, lit(|[_, b, c, _, _]| b + c)),
-            ("without ambient", Diffuse, lit(|[_, b, c, _, _]| b + c)),
-            ("without cool", Diffuse, lit(|[a, b, _, _, _]| a + b)),
-            ("black objects", Diffuse, lit(|_| DVec3::ZERO)),
-            ("twice ambient", Phong, lit(|[a, b, c, d, e]| 2.0 * a + b + c + d + e)),
+            ("without ambient", Phong, picture_from_terms(|[_, b, c, d, e]| b + c + d + e)),
+            ("without warm diffuse", Phong, picture_from_terms(|[a, _, c, d, e]| a + c + d + e)),
+            ("without cool diffuse", Phong, picture_from_terms(|[a, b, _, d, e]| a + b + d + e)),
+            ("without warm specular", Phong, picture_from_terms(|[a, b, c, _, e]| a + b + c + e)),
+            ("without cool specular", Phong, picture_from_terms(|[a, b, c, d, _]| a + b + c + d)),
+            ("without both diffuse", Phong, picture_from_terms(|[a, _, _, d, e]| a + d + e)),
+            ("without ambient and specular", Phong, picture_from_terms(|[_, b, c, _, _]| b + c)),
+            ("without ambient", Diffuse, picture_from_terms(|[_, b, c, _, _]| b + c)),
+            ("without cool", Diffuse, picture_from_terms(|[a, b, _, _, _]| a + b)),
+            ("black objects", Diffuse, picture_from_terms(|_| DVec3::ZERO)),
+            ("twice ambient", Phong, picture_from_terms(|[a, b, c, d, e]| 2.0 * a + b + c + d + e)),
             (
                 "scaled above 1",
                 Phong,
@@ -389,25 +390,26 @@ fn answers_about_shapes_of_undrawn_pixels_are_as_locked() {
     ];
     let rows = rows.map(|(title, picture)| (title, Step::Rays, picture)).into_iter();
     let sky = draw_small_step(Step::Rays);
-    let nearest = |change: &dyn Fn(u32, u32, [u8; 3]) -> [u8; 3]| map_small(Step::Nearest, change);
-    let others = [
-        ("a black sky", nearest(&|i, j, c| if c == sky[(i, j)].0 { [0; 3] } else { c })),
-        ("black objects", nearest(&|i, j, c| if c == sky[(i, j)].0 { c } else { [0; 3] })),
+    let map_nearest =
+        |change: &dyn Fn(u32, u32, [u8; 3]) -> [u8; 3]| map_small(Step::Nearest, change);
+    let nearest_rows = [
+        ("a black sky", map_nearest(&|i, j, c| if c == sky[(i, j)].0 { [0; 3] } else { c })),
+        ("black objects", map_nearest(&|i, j, c| if c == sky[(i, j)].0 { c } else { [0; 3] })),
         (
             "black but a pixel of the sky",
-            nearest(&|i, j, c| if (i, j) == (0, 0) { c } else { [0; 3] }),
+            map_nearest(&|i, j, c| if (i, j) == (0, 0) { c } else { [0; 3] }),
         ),
         (
             "half of the black sky",
-            nearest(&|i, j, c| if c == sky[(i, j)].0 && (i * j) % 7 < 3 { [0; 3] } else { c }),
+            map_nearest(&|i, j, c| if c == sky[(i, j)].0 && (i * j) % 7 < 3 { [0; 3] } else { c }),
         ),
         (
             "white rows of the objects",
-            nearest(&|_, j, c| if j > 20 && j % 2 == 0 { [255; 3] } else { c }),
+            map_nearest(&|_, j, c| if j > 20 && j % 2 == 0 { [255; 3] } else { c }),
         ),
     ];
-    let others = others.map(|(title, picture)| (title, Step::Nearest, picture));
-    assert_small_locked("small_shapes", rows.chain(others));
+    let nearest_rows = nearest_rows.map(|(title, picture)| (title, Step::Nearest, picture));
+    assert_small_locked("small_shapes", rows.chain(nearest_rows));
 }
 
 #[test]

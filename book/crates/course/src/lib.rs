@@ -35,8 +35,8 @@ pub use source_code::{
 
 mod mistakes;
 pub use mistakes::{
-    Mistake, MistakeFiles, MistakeListError, MistakePicture, MistakeTable, RightPicture,
-    SMALL_SIZE, ShownMistake, TableError, TableRow, find_mistakes_with_hash,
+    Mistake, MistakeFiles, MistakeListError, MistakePicture, MistakePresentation, MistakeTable,
+    RightPicture, SMALL_SIZE, TableError, TableRow, find_mistakes_with_hash,
     hashes_of_right_pictures, make_small_picture, mistake_files, mistake_table, mistakes,
     mistakes_and_their_rows, names_of_right_pictures, parse_mistake_lists, provide_mistake_files,
     read_small_pictures, small_pictures_file_path,

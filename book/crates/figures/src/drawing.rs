@@ -54,10 +54,10 @@ impl Drawing {
 
     /// Draws an arrow from `start` to `tip`.
     pub fn arrow(&mut self, class: &str, start: DVec2, tip: DVec2) {
-        let along = (tip - start).normalize_or(DVec2::X);
-        let back = tip - 9.0 * along;
-        self.line(class, start, back + 2.0 * along);
-        let side = 3.8 * along.perp();
+        let unit_vector = (tip - start).normalize_or(DVec2::X);
+        let back = tip - 9.0 * unit_vector;
+        self.line(class, start, back + 2.0 * unit_vector);
+        let side = 3.8 * unit_vector.perp();
         self.area(&format!("{class} head"), [tip, back + side, back - side]);
     }
 
@@ -136,19 +136,20 @@ impl Drawing {
     /// position at which the label is inside the drawing.
     fn free_position_nearby(&self, class: &str, position: DVec2, text: &str) -> DVec2 {
         let box_at = |position| LabelBox::new(class, position, text);
-        let inside = position + box_at(position).shift_into(dvec2(WIDTH, self.height));
-        let others: Vec<LabelBox> = self.label_boxes().map(|(_, label_box)| label_box).collect();
+        let position_inside = position + box_at(position).shift_into(dvec2(WIDTH, self.height));
+        let earlier_boxes: Vec<LabelBox> =
+            self.label_boxes().map(|(_, label_box)| label_box).collect();
         let is_free = |position: &DVec2| {
             let label_box = box_at(*position);
             let is_inside = label_box.shift_into(dvec2(WIDTH, self.height)) == DVec2::ZERO;
             is_inside
-                && !others.iter().any(|other| label_box.overlaps(other))
+                && !earlier_boxes.iter().any(|earlier_box| label_box.overlaps(earlier_box))
                 && !self.handles.iter().any(|&handle| label_box.is_covered_by_handle(handle))
         };
         let distances = (0..=15).map(|k| 4.0 * f64::from(k));
         let mut candidates =
-            distances.flat_map(|distance| DIRECTIONS.map(|d| inside + distance * d));
-        candidates.find(is_free).unwrap_or(inside)
+            distances.flat_map(|distance| DIRECTIONS.map(|d| position_inside + distance * d));
+        candidates.find(is_free).unwrap_or(position_inside)
     }
 
     /// The text of each label, and the box that the label fills.
@@ -248,7 +249,7 @@ mod tests {
         let boxes: Vec<LabelBox> = drawing.label_boxes().map(|(_, label_box)| label_box).collect();
         for (k, label_box) in boxes.iter().enumerate() {
             assert_eq!(label_box.shift_into(dvec2(WIDTH, 100.0)), DVec2::ZERO);
-            assert!(!boxes[..k].iter().any(|other| label_box.overlaps(other)));
+            assert!(!boxes[..k].iter().any(|earlier_box| label_box.overlaps(earlier_box)));
         }
     }
 }

@@ -31,12 +31,12 @@ impl LabelBox {
             () => 16.0,
         };
         let width = size * width_in_em(text);
-        let left = match () {
+        let left_width = match () {
             () if has("start") => 0.0,
             () if has("end") => width,
             () => width / 2.0,
         };
-        let min = position - DVec2::new(left, 0.74 * size);
+        let min = position - DVec2::new(left_width, 0.74 * size);
         Self { min, max: min + DVec2::new(width, 0.98 * size) }
     }
 

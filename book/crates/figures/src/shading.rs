@@ -83,9 +83,11 @@ mod tests {
     fn gradient_colour_on_ball(shading: &Shading, point: DVec2) -> [u8; 3] {
         let offset = point.distance(shading.brightest) / (1.0 + shading.brightest.length());
         let (k, fraction) = ((offset * f64::from(STEPS)) as usize, offset * f64::from(STEPS) % 1.0);
-        let [from, to] = [k, (k + 1).min(STEPS as usize)].map(|k| shading.colours[k]);
+        let [start_colour, end_colour] =
+            [k, (k + 1).min(STEPS as usize)].map(|k| shading.colours[k]);
         let mix = |channel: usize| {
-            f64::from(from[channel]) * (1.0 - fraction) + f64::from(to[channel]) * fraction
+            f64::from(start_colour[channel]) * (1.0 - fraction)
+                + f64::from(end_colour[channel]) * fraction
         };
         [0, 1, 2].map(|channel| mix(channel).round() as u8)
     }
@@ -98,10 +100,11 @@ mod tests {
             let points = (-9..10).flat_map(|i| (-9..10).map(move |j| (f64::from(i), f64::from(j))));
             let points = points.map(|(i, j)| DVec2::new(i, j) / 10.0);
             for point in points.filter(|point| point.length() < 1.0) {
-                let [drawn, expected] =
+                let [drawn_colour, expected] =
                     [gradient_colour_on_ball(&shading, point), ball_colour_at(&scene, point)];
-                let is_near = |channel: usize| drawn[channel].abs_diff(expected[channel]) <= 16;
-                assert!((0..3).all(is_near), "{drawn:?} at {point}, not {expected:?}");
+                let is_near =
+                    |channel: usize| drawn_colour[channel].abs_diff(expected[channel]) <= 16;
+                assert!((0..3).all(is_near), "{drawn_colour:?} at {point}, not {expected:?}");
             }
         }
     }

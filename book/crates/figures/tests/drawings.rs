@@ -94,21 +94,21 @@ fn spread_values(figure: &Figure, seed: usize) -> ParameterValues {
 /// figure has no parameters, only the default values.
 fn default_and_spread_values(figure: &Figure) -> Vec<ParameterValues> {
     let [first, second] = [1, 2].map(|seed| spread_values(figure, seed));
-    let mut all = vec![figure.default_values(), first, second];
-    all.dedup();
-    all
+    let mut value_sets = vec![figure.default_values(), first, second];
+    value_sets.dedup();
+    value_sets
 }
 
 #[test]
 fn figure_draws_the_same_picture_as_its_program() {
     let steps = Step::NAMES.map(|name| (name, "", name));
-    let others = [
+    let examples = [
         ("checkerboard", "", "checkerboard"),
         ("mirror", "", "mirror"),
         ("own_scene", "", "step05_phong"),
         ("own_scene", "the-way-back-shadows-and-mirrors:1", "mirror"),
     ];
-    for (name, address, program) in steps.into_iter().chain(others) {
+    for (name, address, program) in steps.into_iter().chain(examples) {
         let figure = find_figure(name).expect("the figure exists");
         let values = parse_address(figure, address).expect("the address is valid");
         let Content::Picture { draw } = figure.content else { panic!("{name} is a drawing") };
@@ -142,19 +142,19 @@ fn texts_and_replies_are_as_locked() {
 ///   end;
 /// - all parameters at the lower ends of their ranges, and all at the upper ends.
 fn values_at_limits(figure: &Figure) -> Vec<ParameterValues> {
-    let mut all = vec![figure.default_values()];
+    let mut value_sets = vec![figure.default_values()];
     for end in [0, 1] {
-        let mut together = figure.default_values();
+        let mut values_at_end = figure.default_values();
         for parameter in &figure.parameters {
             let mut values = figure.default_values();
-            for values in [&mut values, &mut together] {
+            for values in [&mut values, &mut values_at_end] {
                 values.set(parameter.id, parameter.range[end]);
             }
-            all.push(values);
+            value_sets.push(values);
         }
-        all.push(together);
+        value_sets.push(values_at_end);
     }
-    all.into_iter().filter_map(|values| figure.nearest_allowed_values(&values)).collect()
+    value_sets.into_iter().filter_map(|values| figure.nearest_allowed_values(&values)).collect()
 }
 
 #[test]
@@ -174,8 +174,12 @@ fn labels_are_inside_their_drawing_and_covered_by_no_label_or_handle() {
                 if label_box.shift_into(size) != DVec2::ZERO {
                     faults.push(format!("{label} is cut off"));
                 }
-                let overlapped = labels[..k].iter().find(|(_, other)| label_box.overlaps(other));
-                faults.extend(overlapped.map(|(other, _)| format!("{label} overlaps {other}")));
+                let overlapped_label =
+                    labels[..k].iter().find(|(_, earlier_box)| label_box.overlaps(earlier_box));
+                faults.extend(
+                    overlapped_label
+                        .map(|(earlier_text, _)| format!("{label} overlaps {earlier_text}")),
+                );
                 let mut handles = handles.iter();
                 let covering =
                     handles.find(|(_, position)| label_box.is_covered_by_handle(*position));
@@ -198,8 +202,8 @@ fn ids_in_a_drawing_begin_with_the_name_of_its_figure() {
     }
 }
 
-/// Lists the figure's handles. Each line has the position of a handle with these values, and the
-/// new values of the handle's two parameters after a drag to a fixed position.
+/// Lists the figure's handles, one per line. A line has the position that `values` give the handle.
+/// Then it has the new values of the handle's two parameters after a drag to a fixed position.
 fn describe_handles_before_and_after_drag(figure: &Figure, values: &ParameterValues) -> String {
     let lines = figure.handles.iter().map(|handle| {
         let position = (handle.locate)(values).map(DVec2::round);
@@ -213,8 +217,8 @@ fn describe_handles_before_and_after_drag(figure: &Figure, values: &ParameterVal
 #[test]
 fn dragged_handles_are_as_locked() {
     let parts = FIGURES.iter().flat_map(|figure| {
-        let all = default_and_spread_values(figure).into_iter();
-        all.map(|values| describe_handles_before_and_after_drag(figure, &values))
+        let value_sets = default_and_spread_values(figure).into_iter();
+        value_sets.map(|values| describe_handles_before_and_after_drag(figure, &values))
     });
     let own_scene = find_figure("own_scene").expect("the figure exists");
     let cameras = [

@@ -254,8 +254,8 @@ mod tests {
     fn range_of_a_fault_is_in_utf16_code_units() {
         let from_and_to = |text: &str| {
             let reply = reply(16, [("a", "1.0"), ("disc", text)]);
-            let (_, rest) = reply.text.split_once("\"from\":").expect("a fault");
-            rest.split(",\"fault\"").next().map(str::to_owned).expect("its range")
+            let (_, range_and_fault) = reply.text.split_once("\"from\":").expect("a fault");
+            range_and_fault.split(",\"fault\"").next().map(str::to_owned).expect("its range")
         };
         assert_eq!(from_and_to("b − 4.0"), "2,\"to\":3");
         assert_eq!(from_and_to("b θ"), "2,\"to\":3");

@@ -151,7 +151,7 @@ struct Fields<'a>(Vec<(String, Json<'a>)>);
 impl Fields<'_> {
     /// Reads a field. A missing field is read as null.
     fn get<T: FromJson>(&self, name: &'static str) -> Result<T, RequestError> {
-        let field = self.0.iter().find(|(known, _)| known == name);
+        let field = self.0.iter().find(|(key, _)| key == name);
         let value = T::from_json(field.map_or(Json::NULL, |(_, value)| *value));
         value.ok_or(RequestError::Field { name, expected: T::NAME })
     }

@@ -66,13 +66,13 @@ struct Field {
 /// Returns the fields of an interface, or None if no interface has this name. Instead of a name,
 /// `type_name` may be an object type that is written out, such as `{ object: string | null }`.
 fn find_interface_fields(type_name: &'static str) -> Option<Vec<Field>> {
-    let inside = type_name.strip_prefix('{').and_then(|rest| rest.strip_suffix('}'));
+    let inside = type_name.strip_prefix('{').and_then(|object_type| object_type.strip_suffix('}'));
     let (mut fields, body) = match inside {
         Some(body) => (vec![], body),
         None => {
-            let (_, rest) = TYPES.split_once(&format!("\ninterface {type_name} "))?;
-            let (parent, rest) = rest.split_once("{\n").expect(type_name);
-            let (body, _) = rest.split_once("\n}\n").expect(type_name);
+            let (_, interface) = TYPES.split_once(&format!("\ninterface {type_name} "))?;
+            let (parent, interface_body) = interface.split_once("{\n").expect(type_name);
+            let (body, _) = interface_body.split_once("\n}\n").expect(type_name);
             let parent = parent.trim().strip_prefix("extends ");
             (parent.and_then(find_interface_fields).unwrap_or_default(), body)
         }
@@ -95,7 +95,7 @@ struct Comparison {
     /// The types of the replies and of the objects in them.
     types: BTreeSet<&'static str>,
     /// The fields that at least one reply had, such as `EditReply.line`.
-    seen: BTreeSet<String>,
+    reply_fields: BTreeSet<String>,
     faults: Vec<String>,
 }
 
@@ -113,7 +113,7 @@ impl Comparison {
         for Field { name, is_optional, type_name: field_type } in fields {
             match object.iter().find(|(key, _)| key == name) {
                 Some((_, value)) => {
-                    self.seen.insert(format!("{type_name}.{name}"));
+                    self.reply_fields.insert(format!("{type_name}.{name}"));
                     let item_type = field_type.strip_suffix("[]");
                     if let Some(item_type) =
                         item_type.filter(|name| find_interface_fields(name).is_some())
@@ -134,7 +134,7 @@ impl Comparison {
         for type_name in self.types {
             for Field { name, .. } in find_interface_fields(type_name).expect(type_name) {
                 let field = format!("{type_name}.{name}");
-                if !self.seen.contains(&field) {
+                if !self.reply_fields.contains(&field) {
                     self.faults.push(format!("No reply has {field}."));
                 }
             }

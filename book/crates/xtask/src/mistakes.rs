@@ -25,7 +25,7 @@ pub struct DrawnMistakes {
     /// The name and the hash of each right picture, which is drawn without mistakes.
     right_pictures: Vec<(&'static str, u64)>,
     /// All mistakes, each with the result of [`redraw_key`].
-    all: Vec<(u32, &'static Mistake)>,
+    keys_and_mistakes: Vec<(u32, &'static Mistake)>,
     /// The rows of the table, keyed by the result of [`redraw_key`].
     rows: HashMap<u32, Vec<Option<u64>>>,
     /// The small pictures, keyed by name.
@@ -36,9 +36,9 @@ pub struct DrawnMistakes {
 /// table and the small pictures.
 pub fn draw_new_mistakes() -> XtaskResult<()> {
     let mut drawn_mistakes = DrawnMistakes::read()?;
-    let new: Vec<_> = drawn_mistakes.mistakes_to_draw().copied().collect();
-    println!("Mistakes to draw: {}", new.len());
-    for batch in new.chunks(BATCH_SIZE) {
+    let new_mistakes: Vec<_> = drawn_mistakes.mistakes_to_draw().copied().collect();
+    println!("Mistakes to draw: {}", new_mistakes.len());
+    for batch in new_mistakes.chunks(BATCH_SIZE) {
         let mistakes: Vec<_> = batch.iter().map(|(_, mistake)| *mistake).collect();
         for ((key, mistake), pictures) in
             batch.iter().zip(mistakes_program::draw_mistakes(&mistakes)?)
@@ -59,8 +59,8 @@ pub fn draw_new_mistakes() -> XtaskResult<()> {
 /// If the hash changes, the mistake has to be drawn again.
 pub fn redraw_key(mistake: &Mistake, right_pictures: &[(&str, u64)]) -> XtaskResult<u32> {
     let steps: Vec<_> = mistake.affected_steps().map(Step::name).collect();
-    let affected = right_pictures.iter().filter(|(name, _)| steps.contains(name));
-    let right_hashes = affected.map(|(_, hash)| hash.to_string());
+    let affected_pictures = right_pictures.iter().filter(|(name, _)| steps.contains(name));
+    let right_hashes = affected_pictures.map(|(_, hash)| hash.to_string());
     let pictures = mistake.pictures().iter();
     let shown_names = pictures.map(|picture| format!("{} {}", picture.name, picture.step.name()));
     let code = code_lines(&unindented_text_with_mistake(mistake)?);
@@ -70,25 +70,25 @@ pub fn redraw_key(mistake: &Mistake, right_pictures: &[(&str, u64)]) -> XtaskRes
 impl DrawnMistakes {
     /// Reads the list of mistakes, the right pictures, and the checked-in table and small pictures.
     pub fn read() -> XtaskResult<Self> {
-        let (mut right_pictures, mut all) = (vec![], vec![]);
+        let (mut right_pictures, mut keys_and_mistakes) = (vec![], vec![]);
         for (name, _) in PICTURES {
             right_pictures.push((*name, hash_picture(&read_locked_picture(name)?)));
         }
         for mistake in parse_mistake_lists()? {
-            all.push((redraw_key(mistake, &right_pictures)?, mistake));
+            keys_and_mistakes.push((redraw_key(mistake, &right_pictures)?, mistake));
         }
         let drawn_rows =
             mistake_table().rows.iter().filter(|row| row.hashes.iter().any(Option::is_some));
         let rows = drawn_rows.map(|row| (row.key, row.hashes.clone())).collect();
         let pictures = Step::ALL.map(|step| read_small_pictures(&workspace(), step));
         let small_pictures = pictures.into_iter().flatten().flatten().collect();
-        Ok(Self { right_pictures, all, rows, small_pictures })
+        Ok(Self { right_pictures, keys_and_mistakes, rows, small_pictures })
     }
 
     /// The mistakes that have to be drawn: those whose current redraw key has no row in the table,
     /// and those that lack a small picture.
     pub fn mistakes_to_draw(&self) -> impl Iterator<Item = &(u32, &'static Mistake)> {
-        self.all.iter().filter(|(key, mistake)| {
+        self.keys_and_mistakes.iter().filter(|(key, mistake)| {
             let has_picture =
                 |picture: &MistakePicture| self.small_pictures.contains_key(picture.name);
             !self.rows.contains_key(key) || !mistake.pictures().iter().all(has_picture)
@@ -107,19 +107,20 @@ impl DrawnMistakes {
             println!("changes no picture: {}", title_and_file(mistake));
         }
         self.rows.insert(key, hashes);
-        for shown in mistake.pictures() {
-            self.small_pictures.remove(shown.name);
-            let drawn = pictures.iter().find(|(step, _)| *step == shown.step);
-            if let Some((_, Some(drawn))) = drawn {
-                self.small_pictures.insert(shown.name, make_small_picture(drawn));
+        for mistake_picture in mistake.pictures() {
+            self.small_pictures.remove(mistake_picture.name);
+            let drawn_step = pictures.iter().find(|(step, _)| *step == mistake_picture.step);
+            if let Some((_, Some(drawn_picture))) = drawn_step {
+                self.small_pictures.insert(mistake_picture.name, make_small_picture(drawn_picture));
             }
         }
     }
 
     /// The small pictures of a step and their names, in the order of the list of mistakes.
     fn small_pictures_of_step(&self, step: Step) -> Vec<(&'static str, &RgbImage)> {
-        let shown = self.all.iter().flat_map(|(_, mistake)| mistake.pictures());
-        shown
+        let mistake_pictures =
+            self.keys_and_mistakes.iter().flat_map(|(_, mistake)| mistake.pictures());
+        mistake_pictures
             .filter(|picture| picture.step == step)
             .filter_map(|picture| Some((picture.name, self.small_pictures.get(picture.name)?)))
             .collect()
@@ -132,7 +133,7 @@ impl DrawnMistakes {
             let names = pictures.into_iter().flatten().map(|(name, _)| name);
             RightPicture { name, hash: *hash, small_pictures: names.collect() }
         });
-        let rows = self.all.iter().map(|(key, _)| {
+        let rows = self.keys_and_mistakes.iter().map(|(key, _)| {
             let hashes = self.rows.get(key).cloned().unwrap_or_else(|| vec![None]);
             TableRow { key: *key, hashes }
         });
@@ -171,12 +172,13 @@ mod tests {
     fn mistake_that_lacks_its_row_or_a_small_picture_is_to_be_drawn() {
         let read = || DrawnMistakes::read().expect("the list and the table can be read");
         let (mut without_row, mut without_picture) = (read(), read());
-        let known = titles_of_mistakes_to_draw(&without_row);
+        let titles_of_undrawn_mistakes = titles_of_mistakes_to_draw(&without_row);
         let is_shown = |(_, mistake): &&(u32, &Mistake)| {
-            mistake.shown.is_some() && !known.contains(&title_and_file(mistake))
+            mistake.presentation.is_some()
+                && !titles_of_undrawn_mistakes.contains(&title_and_file(mistake))
         };
         let (key, mistake) = without_row
-            .all
+            .keys_and_mistakes
             .iter()
             .rfind(is_shown)
             .copied()
@@ -186,7 +188,7 @@ mod tests {
         without_picture.small_pictures.remove(mistake.pictures()[0].name);
         for drawn_mistakes in [without_row, without_picture] {
             let mut titles = titles_of_mistakes_to_draw(&drawn_mistakes);
-            titles.retain(|title| !known.contains(title));
+            titles.retain(|title| !titles_of_undrawn_mistakes.contains(title));
             assert_eq!(titles, expected);
         }
     }

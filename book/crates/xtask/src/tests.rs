@@ -24,7 +24,7 @@ fn wasm_modules_are_up_to_date_with_their_sources() {
 #[test]
 fn wasm_modules_export_the_functions_that_pages_call() {
     let script = include_str!("../../../theme/wasm.js");
-    let calls = script.split("module.").skip(1).filter_map(|rest| rest.split_once('('));
+    let calls = script.split("module.").skip(1).filter_map(|call| call.split_once('('));
     let names: HashSet<_> = calls.map(|(name, _)| name).filter(|name| name.contains('_')).collect();
     assert_eq!(names.len(), 2, "{names:?}");
     for module in WASM_MODULES {
@@ -58,16 +58,17 @@ fn table_of_mistakes_is_up_to_date() {
 #[test]
 fn mistake_is_redrawn_if_the_name_or_step_of_its_picture_changes() {
     let mut mistake = mistakes()[0].clone();
-    let known = redraw_key(&mistake, &[]).ok();
-    let shown = mistake.shown.as_mut().expect("the book shows the first mistake");
-    let picture = shown.pictures[0];
+    let original_key = redraw_key(&mistake, &[]).ok();
+    let presentation = mistake.presentation.as_mut().expect("the book shows the first mistake");
+    let picture = presentation.pictures[0];
     for changed in [
         MistakePicture { step: Step::Phong, ..picture },
         MistakePicture { name: "another", ..picture },
     ] {
         let mut mistake = mistakes()[0].clone();
-        mistake.shown.as_mut().expect("the book shows the first mistake").pictures = vec![changed];
-        assert_ne!(known, redraw_key(&mistake, &[]).ok(), "{changed:?}");
+        mistake.presentation.as_mut().expect("the book shows the first mistake").pictures =
+            vec![changed];
+        assert_ne!(original_key, redraw_key(&mistake, &[]).ok(), "{changed:?}");
     }
 }
 
@@ -77,10 +78,14 @@ fn each_mistake_changes_code_has_all_texts_and_is_listed_once() {
     for mistake in mistakes() {
         let title = title_and_file(mistake);
         assert_ne!(mistake.old, mistake.new, "{title}");
-        if let Some(shown) = &mistake.shown {
+        if let Some(presentation) = &mistake.presentation {
             let is_valid = |picture: &MistakePicture| picture.step >= mistake.step;
-            assert!(shown.pictures.iter().all(is_valid), "{title}: {:?}", shown.pictures);
-            let texts = [shown.reason, shown.section, shown.effect];
+            assert!(
+                presentation.pictures.iter().all(is_valid),
+                "{title}: {:?}",
+                presentation.pictures
+            );
+            let texts = [presentation.reason, presentation.section, presentation.effect];
             assert!(
                 texts.iter().all(|text| !text.is_empty()),
                 "{title} has an empty text: {texts:?}"

@@ -62,9 +62,9 @@ pub(crate) struct DuplicateNames(HashSet<String>);
 
 impl DuplicateNames {
     pub fn new(students: &[StudentFolder]) -> Self {
-        let mut seen = HashSet::new();
+        let mut earlier_names = HashSet::new();
         let names = students.iter().filter_map(composed_folder_name);
-        Self(names.filter(|name| !seen.insert(name.clone())).collect())
+        Self(names.filter(|name| !earlier_names.insert(name.clone())).collect())
     }
 
     /// Returns a note if another folder has the same name, in a different Unicode form.
@@ -118,8 +118,8 @@ mod tests {
         let students = [student("Do\u{308}ra"), student("D\u{f6}ra"), student("Bob")];
         let duplicates = DuplicateNames::new(&students);
         let notes = students.each_ref().map(|student| duplicates.note(student));
-        let both = Some(Note::SameNameInOtherForm);
-        assert!(notes == [both, both, None]);
+        let note = Some(Note::SameNameInOtherForm);
+        assert!(notes == [note, note, None]);
     }
 
     #[test]

@@ -97,8 +97,8 @@ pub fn write_sheets(
     for (name, sheet) in iter::zip(names, &sheets) {
         let file = file_name(name);
         // Some file systems ignore case.
-        if let Some(other) = names_of_files.insert(file.to_lowercase(), name) {
-            let [first, second] = [other, name].map(|name| escape_for_terminal(name));
+        if let Some(earlier_name) = names_of_files.insert(file.to_lowercase(), name) {
+            let [first, second] = [earlier_name, name].map(|name| escape_for_terminal(name));
             return Err(match first == second {
                 true => SheetError::Twice(first),
                 false => SheetError::SameFile { first, second, file },
@@ -205,7 +205,7 @@ fn number_table(scene: &StepScene, owner: Owner) -> Vec<Vec<String>> {
         || QUANTITIES.iter().filter(|quantity| quantity.owner == owner).filter(is_seen);
     let names = owner_names(scene, owner).into_iter().enumerate();
     let rows = names.map(|(k, name)| {
-        let numbers = quantities().map(|quantity| format_quantity(quantity, &scene.own, k));
+        let numbers = quantities().map(|quantity| format_quantity(quantity, &scene.own_scene, k));
         iter::once(name).chain(numbers).collect()
     });
     let head = iter::once("").chain(quantities().map(|quantity| quantity.name)).map(str::to_owned);
@@ -229,8 +229,9 @@ fn find_problem_pixel(scene: &StepScene, pixels_to_skip: usize) -> Option<Proble
             let ray = camera.ray(i.into(), j.into());
             problem_pixel_of_ray(scene, (i, j), ray)
         });
-        pixels_with_balls.find(|found| {
-            found.balls.len() == ball_count && found.is_bright_with_highlight(light_count, scene)
+        pixels_with_balls.find(|candidate| {
+            candidate.balls.len() == ball_count
+                && candidate.is_bright_with_highlight(light_count, scene)
         })
     };
     find(2, 2).or_else(|| find(1, 2)).or_else(|| find(1, 1))
@@ -240,7 +241,7 @@ fn find_problem_pixel(scene: &StepScene, pixels_to_skip: usize) -> Option<Proble
 /// pixel doesn't show a ball. Also returns None if the ray grazes a ball: then the discriminant D
 /// is small and has fewer significant digits, so that rounding on paper would spoil the answer.
 fn problem_pixel_of_ray(scene: &StepScene, position: (u32, u32), ray: Ray) -> Option<ProblemPixel> {
-    let objects = &scene.own.scene.objects;
+    let objects = &scene.own_scene.scene.objects;
     let is_ball = |hit: &ObjectHit| hit.object != GROUND;
     let visible = scene.visible_hit(&ray).filter(is_ball)?;
     let balls: Vec<_> = scene.first_hits_on_objects(&ray).filter(is_ball).collect();
@@ -253,7 +254,7 @@ impl ProblemPixel {
     /// these lights together make a highlight at this point.
     fn is_bright_with_highlight(&self, light_count: usize, scene: &StepScene) -> bool {
         let mut sum = Terms::default();
-        for light in &scene.own.scene.lights[..light_count] {
+        for light in &scene.own_scene.scene.lights[..light_count] {
             let terms = scene.light_terms_at_hit(&self.ray, self.visible, light);
             if terms.diffuse.x <= 0.05 {
                 return false;
@@ -265,7 +266,7 @@ impl ProblemPixel {
 
     /// Returns the problems, and their answers in the same order.
     fn problems_and_answers(&self, scene: &StepScene) -> (Vec<String>, Vec<String>) {
-        let (objects, lights) = (&scene.own.scene.objects, &scene.own.scene.lights);
+        let (objects, lights) = (&scene.own_scene.scene.objects, &scene.own_scene.scene.lights);
         let Self { position: (i, j), ray, balls, visible } = self;
         let name = |hit: &ObjectHit| objects[hit.object].name;
         let names: Vec<_> = balls.iter().map(name).collect();

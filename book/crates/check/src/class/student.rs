@@ -134,9 +134,10 @@ pub(crate) fn check_student(
         if files.is_empty() && !is_required {
             continue;
         }
-        let (checked, beyond) = files.split_at(files.len().min(MAX_FILES_OF_PICTURE));
-        let reports = checked.iter().map(|file| check_file(file, picture, &pictures)).collect();
-        for file in beyond {
+        let (checked_files, skipped_files) = files.split_at(files.len().min(MAX_FILES_OF_PICTURE));
+        let reports =
+            checked_files.iter().map(|file| check_file(file, picture, &pictures)).collect();
+        for file in skipped_files {
             let path = file.printable_path.clone();
             skipped_paths.add(path, SkipReason::TooManyFilesOfPicture);
         }

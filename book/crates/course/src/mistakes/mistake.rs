@@ -39,13 +39,13 @@ pub struct Mistake {
     pub old: String,
     /// The wrong code that readers write instead.
     pub new: String,
-    /// How the book shows the mistake. None if the book doesn't show the mistake.
-    pub shown: Option<ShownMistake>,
+    /// How the book presents the mistake. None if the book doesn't show the mistake.
+    pub presentation: Option<MistakePresentation>,
 }
 
-/// How the book shows a mistake.
+/// How the book presents a mistake.
 #[derive(Clone, Debug, PartialEq)]
-pub struct ShownMistake {
+pub struct MistakePresentation {
     /// The pictures that show the mistake. There is at least one.
     pub pictures: Vec<MistakePicture>,
     /// A sentence that says why the code is wrong, or what would be right.
@@ -188,14 +188,14 @@ impl MarkedLines {
         if old.is_empty() || new.is_empty() {
             return Err(MistakeListFault::NoCode);
         }
-        let shown = match (reason, section, effect) {
+        let presentation = match (reason, section, effect) {
             (None, None, None) if pictures.is_empty() => None,
             (Some(reason), Some(section), Some(effect)) if !pictures.is_empty() => {
-                Some(ShownMistake { pictures, reason, section, effect })
+                Some(MistakePresentation { pictures, reason, section, effect })
             }
             _ => return Err(MistakeListFault::NotShown),
         };
-        Ok(Mistake { title, step, file, old: old.join("\n"), new: new.join("\n"), shown })
+        Ok(Mistake { title, step, file, old: old.join("\n"), new: new.join("\n"), presentation })
     }
 }
 
@@ -227,14 +227,14 @@ fn parse_picture(
 impl Mistake {
     /// The book's pictures of the mistake. There are none if the book doesn't show the mistake.
     pub fn pictures(&self) -> &[MistakePicture] {
-        self.shown.as_ref().map(|shown| &*shown.pictures).unwrap_or_default()
+        self.presentation.as_ref().map(|presentation| &*presentation.pictures).unwrap_or_default()
     }
 
     /// Returns the address of the section that the reader should read again, such as
     /// `step01_rays.html#the-camera`. `extension` is the extension of the chapters' files. Returns
     /// None if the book doesn't show the mistake.
     pub fn section_address(&self, extension: &str) -> Option<String> {
-        let heading = self.shown.as_ref()?.section;
+        let heading = self.presentation.as_ref()?.section;
         let is_of_program = self.file.ends_with("/program.rs");
         let chapter = if is_of_program { "step01_program" } else { self.step.name() };
         // Convert only ASCII letters to lower case: Unicode's tables would make the WebAssembly
@@ -314,15 +314,15 @@ one that the book shows
             "mistakes/step01_rays.txt, line 8: a line below a title must begin with `-`, `+`, \
              `!`, `?`, `/` or `\"`, and a space"
         );
-        let shown = "a title\n- a\n+ b\n! c";
+        let start = "a title\n- a\n+ b\n! c";
         for (block, line, fault) in [
             ("@ camera.rs\n@ ray.rs", 3, MistakeListFault::File),
             ("a title", 3, MistakeListFault::NoCode),
             ("a title\n- a", 3, MistakeListFault::NoCode),
             ("a title\n-a\n+ b", 4, MistakeListFault::UnknownMark),
-            (&format!("{shown} step06"), 6, MistakeListFault::UnknownStep("step06")),
-            (&format!("{shown}\n? d\n? e"), 8, MistakeListFault::Twice('?')),
-            (&format!("{shown}\n? d\n/ e"), 3, MistakeListFault::NotShown),
+            (&format!("{start} step06"), 6, MistakeListFault::UnknownStep("step06")),
+            (&format!("{start}\n? d\n? e"), 8, MistakeListFault::Twice('?')),
+            (&format!("{start}\n? d\n/ e"), 3, MistakeListFault::NotShown),
             ("a title\n- a\n+ b\n? c\n/ d\n\" e", 3, MistakeListFault::NotShown),
         ] {
             let list = String::from("@ ray.rs\n\n") + block;
@@ -339,16 +339,16 @@ one that the book shows
         assert_eq!(short.file, "steps/step03_nearest/src/camera.rs");
         assert_eq!(short.old, "let a = 1;\n    let b = 2;");
         assert_eq!(short.new, "let a = 2;");
-        assert_eq!(short.shown, None);
+        assert_eq!(short.presentation, None);
         assert_eq!(long.file, "steps/step03_nearest/src/ray.rs");
         let picture = |name, step| MistakePicture { name, step };
-        let shown = ShownMistake {
+        let presentation = MistakePresentation {
             pictures: vec![picture("shown", Step::Nearest), picture("later", Step::Phong)],
             reason: "It should be a.",
             section: "The ray",
             effect: "Everything is blue.",
         };
-        assert_eq!(long.shown, Some(shown));
+        assert_eq!(long.presentation, Some(presentation));
     }
 
     #[test]

@@ -7,7 +7,7 @@ mod mistake;
 mod table;
 pub use files::{MistakeFiles, mistake_files, provide_mistake_files};
 pub use mistake::{
-    Mistake, MistakeListError, MistakePicture, ShownMistake, mistakes, parse_mistake_lists,
+    Mistake, MistakeListError, MistakePicture, MistakePresentation, mistakes, parse_mistake_lists,
 };
 pub use table::{
     MistakeTable, RightPicture, SMALL_SIZE, TableError, TableRow, find_mistakes_with_hash,

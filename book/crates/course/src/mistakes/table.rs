@@ -47,9 +47,9 @@ pub struct RightPicture<'a> {
 pub struct TableRow {
     /// A hash of everything that the mistake's pictures depended on when the pictures were drawn.
     pub key: u32,
-    /// A hash for the mistake's step and for each later step: the hash of the picture that the step
-    /// draws with the mistake. A hash is None if the picture is right in spite of the mistake, or
-    /// can't be drawn.
+    /// One hash for each step, from the mistake's step on. It is the hash of the picture that this
+    /// step draws with the mistake, or None if the picture is right in spite of the mistake or can't
+    /// be drawn.
     pub hashes: Vec<Option<u64>>,
 }
 
@@ -171,13 +171,14 @@ pub fn find_mistakes_with_hash(hash: u64) -> Vec<(&'static Mistake, &'static str
     let mut mistakes_and_names: Vec<_> = mistakes_and_their_rows()
         .flat_map(|(mistake, row)| {
             let steps_and_hashes = mistake.affected_steps().zip(&row.hashes);
-            let matching = steps_and_hashes.filter(move |(_, drawn)| **drawn == Some(hash));
+            let matching =
+                steps_and_hashes.filter(move |(_, drawn_hash)| **drawn_hash == Some(hash));
             matching.map(move |(step, _)| (mistake, step.name()))
         })
         .collect();
     mistakes_and_names.sort_by_cached_key(|(mistake, _)| {
         let size = mistake.old.len().abs_diff(mistake.new.len());
-        (mistake.shown.is_none(), mistake.new.lines().count(), size)
+        (mistake.presentation.is_none(), mistake.new.lines().count(), size)
     });
     mistakes_and_names
 }
@@ -208,13 +209,18 @@ pub fn read_small_pictures(
     workspace: &Path,
     step: Step,
 ) -> ImageResult<Vec<(&'static str, RgbImage)>> {
-    let right = mistake_table().right_pictures.iter().find(|right| right.name == step.name());
-    let names = right.into_iter().flat_map(|right| right.small_pictures.iter().copied());
+    let right_picture = mistake_table()
+        .right_pictures
+        .iter()
+        .find(|right_picture| right_picture.name == step.name());
+    let names = right_picture
+        .into_iter()
+        .flat_map(|right_picture| right_picture.small_pictures.iter().copied());
     let file = fs::read(small_pictures_file_path(workspace, step))?;
-    let all = image::load_from_memory(&file)?.into_rgb8();
+    let stacked_pictures = image::load_from_memory(&file)?.into_rgb8();
     let [columns, rows] = SMALL_SIZE;
-    let tops = (0..all.height()).step_by(rows as usize);
-    let pictures = tops.map(|top| crop_imm(&all, 0, top, columns, rows).to_image());
+    let tops = (0..stacked_pictures.height()).step_by(rows as usize);
+    let pictures = tops.map(|top| crop_imm(&stacked_pictures, 0, top, columns, rows).to_image());
     Ok(names.zip(pictures).collect())
 }
 
@@ -282,10 +288,10 @@ mod tests {
         for (mistake, row) in mistakes_and_their_rows() {
             for (step, hash) in mistake.affected_steps().zip(&row.hashes) {
                 let Some(hash) = hash else { continue };
-                let found = find_mistakes_with_hash(*hash);
-                assert!(found.contains(&(mistake, step.name())), "{}", mistake.title);
-                let is_shown = |(mistake, _): &(&Mistake, _)| mistake.shown.is_some();
-                assert!(found.is_sorted_by_key(|entry| !is_shown(entry)), "{}", mistake.title);
+                let entries = find_mistakes_with_hash(*hash);
+                assert!(entries.contains(&(mistake, step.name())), "{}", mistake.title);
+                let is_shown = |(mistake, _): &(&Mistake, _)| mistake.presentation.is_some();
+                assert!(entries.is_sorted_by_key(|entry| !is_shown(entry)), "{}", mistake.title);
             }
         }
     }

@@ -133,22 +133,22 @@ impl Scalar {
         self.ground_range.filter(|_| owner_index == GROUND).unwrap_or(self.range)
     }
 
-    /// Reads the number from `own`. `owner_index` is the index of the object or light that has the
-    /// number.
-    pub fn get(&self, own: &OwnScene, owner_index: usize) -> f64 {
-        let (scene, axis) = (&own.scene, self.axis);
+    /// Reads the number from `own_scene`. `owner_index` is the index of the object or light that has
+    /// the number.
+    pub fn get(&self, own_scene: &OwnScene, owner_index: usize) -> f64 {
+        let (scene, axis) = (&own_scene.scene, self.axis);
         match self.property {
-            Property::FieldOfView => own.fov_degrees,
-            Property::CameraPosition => own.position[axis],
-            Property::Target => own.target[axis],
-            Property::Roll => own.roll_degrees,
+            Property::FieldOfView => own_scene.fov_degrees,
+            Property::CameraPosition => own_scene.position[axis],
+            Property::Target => own_scene.target[axis],
+            Property::Roll => own_scene.roll_degrees,
             Property::AmbientLight => scene.ambient_light[axis],
             Property::Centre => scene.objects[owner_index].sphere.centre[axis],
             Property::Radius => scene.objects[owner_index].sphere.radius,
             Property::ObjectSpecular => scene.objects[owner_index].material.specular.x,
             Property::Shininess => scene.objects[owner_index].material.shininess.into(),
             Property::ObjectColour => scene.objects[owner_index].material.matte.diffuse[axis],
-            Property::MirrorPart => own.mirror_parts[owner_index],
+            Property::MirrorPart => own_scene.mirror_parts[owner_index],
             Property::LightPosition => scene.lights[owner_index].point_light.position[axis],
             Property::LightDiffuse => scene.lights[owner_index].point_light.diffuse[axis],
             Property::LightSpecular => scene.lights[owner_index].specular[axis],
@@ -159,15 +159,15 @@ impl Scalar {
         }
     }
 
-    /// Sets the number in `own`. `owner_index` is the index of the object or light that has the
-    /// number.
-    pub fn set(&self, own: &mut OwnScene, owner_index: usize, value: f64) {
-        let (scene, axis) = (&mut own.scene, self.axis);
+    /// Sets the number in `own_scene`. `owner_index` is the index of the object or light that has
+    /// the number.
+    pub fn set(&self, own_scene: &mut OwnScene, owner_index: usize, value: f64) {
+        let (scene, axis) = (&mut own_scene.scene, self.axis);
         match self.property {
-            Property::FieldOfView => own.fov_degrees = value,
-            Property::CameraPosition => own.position[axis] = value,
-            Property::Target => own.target[axis] = value,
-            Property::Roll => own.roll_degrees = value,
+            Property::FieldOfView => own_scene.fov_degrees = value,
+            Property::CameraPosition => own_scene.position[axis] = value,
+            Property::Target => own_scene.target[axis] = value,
+            Property::Roll => own_scene.roll_degrees = value,
             Property::AmbientLight => scene.ambient_light[axis] = value,
             Property::Centre => scene.objects[owner_index].sphere.centre[axis] = value,
             Property::Radius => scene.objects[owner_index].sphere.radius = value,
@@ -181,7 +181,7 @@ impl Scalar {
                 colour[axis] = value;
                 *matte = Matte::of(colour);
             }
-            Property::MirrorPart => own.mirror_parts[owner_index] = value,
+            Property::MirrorPart => own_scene.mirror_parts[owner_index] = value,
             Property::LightPosition => scene.lights[owner_index].point_light.position[axis] = value,
             Property::LightDiffuse => scene.lights[owner_index].point_light.diffuse[axis] = value,
             Property::LightSpecular => scene.lights[owner_index].specular[axis] = value,
@@ -428,16 +428,17 @@ mod tests {
     #[test]
     fn number_that_is_set_is_read_again_and_no_other_changes() {
         for scalar in all_scalars() {
-            let mut own = OwnScene::new(scene());
-            let mut expected: Vec<_> = all_scalars().map(|scalar| scalar.get(&own, 1)).collect();
+            let mut own_scene = OwnScene::new(scene());
+            let mut expected: Vec<_> =
+                all_scalars().map(|scalar| scalar.get(&own_scene, 1)).collect();
             let [min, max] = scalar.range;
-            let value = if scalar.get(&own, 1) == min { max } else { min };
-            scalar.set(&mut own, 1, value);
+            let value = if scalar.get(&own_scene, 1) == min { max } else { min };
+            scalar.set(&mut own_scene, 1, value);
             let index = all_scalars()
                 .position(|row| std::ptr::eq(row, scalar))
                 .expect("the scalar is in the table");
             expected[index] = value;
-            let values: Vec<_> = all_scalars().map(|scalar| scalar.get(&own, 1)).collect();
+            let values: Vec<_> = all_scalars().map(|scalar| scalar.get(&own_scene, 1)).collect();
             assert_eq!(values, expected, "{}", scalar.label);
         }
     }
@@ -460,10 +461,10 @@ mod tests {
 
     #[test]
     fn colour_of_an_object_is_its_ambient_and_its_diffuse_reflectance() {
-        let mut own = OwnScene::new(scene());
+        let mut own_scene = OwnScene::new(scene());
         let red = all_scalars().find(|scalar| matches!(scalar.property, Property::ObjectColour));
-        red.expect("the table has a colour").set(&mut own, 0, 0.125);
-        let matte = own.scene.objects[0].material.matte;
+        red.expect("the table has a colour").set(&mut own_scene, 0, 0.125);
+        let matte = own_scene.scene.objects[0].material.matte;
         assert_eq!((matte.ambient.x, matte.diffuse.x), (0.125, 0.125));
     }
 }

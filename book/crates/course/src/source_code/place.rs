@@ -304,9 +304,10 @@ misses: bool = d < 0.0
             let path = crate::workspace().join("steps").join(place.file);
             let text = std::fs::read_to_string(path).expect("the file can be read");
             let range = place.find_range(&text).unwrap_or_else(|error| panic!("{error}"));
-            let (before, after) = (text[..range.start].trim_end(), &text[range.end..]);
-            let ends_line = after.starts_with(['\r', '\n']);
-            let ends_block = after.trim_start().starts_with('}') && before.ends_with(['{', ';']);
+            let (code_before, code_after) = (text[..range.start].trim_end(), &text[range.end..]);
+            let ends_line = code_after.starts_with(['\r', '\n']);
+            let ends_block =
+                code_after.trim_start().starts_with('}') && code_before.ends_with(['{', ';']);
             let note = match (ends_line, ends_block) {
                 (true, true) => Some(PlaceNote::EndsBlock),
                 (true, false) => Some(PlaceNote::EndsLine),

@@ -12,9 +12,9 @@ pub fn colour_without_highlight_gate(scene: &Scene<Material, Light>, ray: &Ray) 
         return direction_colour(ray);
     };
     let v = -ray.direction.normalize();
-    let behind = scene
+    let extra_highlights = scene
         .lights
         .iter()
         .map(|light| light_terms(point.p, -point.n, v, point.material(), light).specular);
-    phong(&point, ray, scene.ambient_light, &scene.lights).sum() + behind.sum::<DVec3>()
+    phong(&point, ray, scene.ambient_light, &scene.lights).sum() + extra_highlights.sum::<DVec3>()
 }

@@ -95,7 +95,7 @@ examples! {
 
 /// Finds the function that draws the picture of the step or example with this name.
 pub fn find_draw_function(name: &str) -> Option<DrawPicture> {
-    PICTURES.iter().find(|(known, _)| *known == name).map(|(_, draw)| *draw)
+    PICTURES.iter().find(|(key, _)| *key == name).map(|(_, draw)| *draw)
 }
 
 impl Step {

@@ -104,8 +104,8 @@ impl CameraFigure {
         let Camera { centre, matrix, .. } = self.camera;
         let (d_u, d_v, v_0) = (matrix.x_axis, matrix.y_axis, matrix.z_axis);
         let (c, first) = (self.project(centre), self.project(v_0));
-        let above = self.project(self.camera.ray(self.pixel.x, 0.0).at(1.0));
-        drawing.path("ray faint", [first, above, self.project(self.ray().at(1.0))]);
+        let point_above = self.project(self.camera.ray(self.pixel.x, 0.0).at(1.0));
+        drawing.path("ray faint", [first, point_above, self.project(self.ray().at(1.0))]);
         drawing.arrow("vector", c, first);
         drawing.label("strong end", (c + first) / 2.0 + dvec2(-6.0, -12.0), "$V_0$");
         for (class, step, name, shift) in [

@@ -113,8 +113,8 @@ fn draw(values: &ParameterValues) -> Drawing {
         drawing.circle(class, position(sphere.centre), radius);
         // The ball's number must overlap neither the ball's outline nor the ball's handle, which is
         // large on a phone.
-        let right = if radius < 35.0 { radius + 10.0 } else { 25.0 };
-        let label = position(sphere.centre) + dvec2(right, 5.0);
+        let label_offset = if radius < 35.0 { radius + 10.0 } else { 25.0 };
+        let label = position(sphere.centre) + dvec2(label_offset, 5.0);
         drawing.label("over", label, &material.to_string());
     }
     // A ray that hits nothing is drawn past the edge of the drawing.

@@ -109,8 +109,8 @@ fn draw(values: &ParameterValues) -> Drawing {
         }
         // So that no label overlaps the ray to another ball, the label of a high ball is above the
         // ball, and the label of a low ball is below the ball.
-        let below = if sphere.centre.y > 0.0 { -radius - 10.0 } else { radius + 40.0 };
-        drawing.label("quiet over", centre + dvec2(0.0, below), clipping.label());
+        let label_offset = if sphere.centre.y > 0.0 { -radius - 10.0 } else { radius + 40.0 };
+        drawing.label("quiet over", centre + dvec2(0.0, label_offset), clipping.label());
         let ray = Ray { start: DVec3::ZERO, direction: sphere.centre };
         if let Some(t) = sphere.intersect(&ray).first_hit() {
             drawing.line("ray", side_view_position(ray.start), side_view_position(ray.at(t)));

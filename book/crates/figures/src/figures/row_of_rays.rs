@@ -87,8 +87,8 @@ fn draw(values: &ParameterValues) -> Drawing {
     drawing.label("over", c + dvec2(13.0, -64.0), "$θ$");
     drawing.arrow("vector", c, tips[0]);
     // The label of V_0 is to the left of the arrow V_0.
-    let beside = 20.0 * (tips[0] - c).normalize().perp();
-    drawing.label("strong", (c + tips[0]) / 2.0 - beside + dvec2(0.0, 6.0), "$V_0$");
+    let label_gap = 20.0 * (tips[0] - c).normalize().perp();
+    drawing.label("strong", (c + tips[0]) / 2.0 - label_gap + dvec2(0.0, 6.0), "$V_0$");
     for step in tips.windows(2).take(2) {
         drawing.arrow("accent", step[0], step[1]);
     }

@@ -37,16 +37,16 @@ pub fn figure() -> Figure {
 /// contains `ray` and all other rays of the same row of pixels. Returns None if the plane misses
 /// the sphere.
 fn outline_in_plane_of_row(sphere: &Sphere, ray: &Ray) -> Option<Vec<DVec2>> {
-    let ahead = ray.direction.with_x(0.0);
-    let along = ahead.normalize();
-    let normal = DVec3::X.cross(along);
+    let row_direction = ray.direction.with_x(0.0);
+    let unit_vector = row_direction.normalize();
+    let normal = DVec3::X.cross(unit_vector);
     let height = sphere.centre.dot(normal);
     let square = sphere.radius * sphere.radius - height * height;
     let radius = (square > 0.0).then(|| square.sqrt())?;
-    let middle = dvec2(sphere.centre.x, sphere.centre.dot(along));
+    let middle = dvec2(sphere.centre.x, sphere.centre.dot(unit_vector));
     let points = (0..90).map(|k| {
         let side = DVec2::from_angle(TAU * f64::from(k) / 90.0);
-        VIEW.to_drawing((middle + radius * side) / dvec2(1.0, ahead.length()))
+        VIEW.to_drawing((middle + radius * side) / dvec2(1.0, row_direction.length()))
     });
     Some(points.collect())
 }
@@ -82,9 +82,9 @@ fn draw(values: &ParameterValues) -> Drawing {
     }
     if let Some(t) = nearest_hit.map(|hit| hit.t) {
         let label = format!("$t$ = {}", format_with_max_decimals(t, 2));
-        let right = VIEW.xy_to_drawing(SIDE, t);
-        drawing.line("guide", position(t), right);
-        drawing.label("hit small end", right + dvec2(0.0, -5.0), &label);
+        let line_end = VIEW.xy_to_drawing(SIDE, t);
+        drawing.line("guide", position(t), line_end);
+        drawing.label("hit small end", line_end + dvec2(0.0, -5.0), &label);
         drawing.dot("hit", position(t));
     }
     drawing

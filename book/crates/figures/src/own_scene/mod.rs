@@ -23,16 +23,16 @@ pub fn figure() -> Figure {
         editable_scene: Some(EditableScene {
             program: |values| format_program(&own_scene(values)),
             object_at: |values, position| {
-                let own = own_scene(values);
+                let own_scene = own_scene(values);
                 let pixel = position - 0.5;
-                let ray = own.camera(COLUMNS).ray(pixel.x, pixel.y);
-                nearest(&own.scene.objects, &ray).map(|hit| hit.object.name)
+                let ray = own_scene.camera(COLUMNS).ray(pixel.x, pixel.y);
+                nearest(&own_scene.scene.objects, &ray).map(|hit| hit.object.name)
             },
             colour_parameters_by_object: colour_parameters_by_object(),
         }),
         has_something_to_show: |values| {
-            let own = own_scene(values);
-            own.position != own.target
+            let own_scene = own_scene(values);
+            own_scene.position != own_scene.target
         },
         ..Figure::new("own_scene", Content::Picture { draw })
     }
@@ -43,12 +43,12 @@ pub fn figure() -> Figure {
 fn sphere_or_light_handle(owner: Owner, k: usize, presence: ParameterId) -> Option<Handle> {
     let camera_and_point = move |values: &ParameterValues| {
         values.is_on(presence).then(|| {
-            let own = complete_scene(values);
+            let own_scene = complete_scene(values);
             let point = match owner {
-                Owner::Light => own.scene.lights[k].point_light.position,
-                _ => own.scene.objects[k].sphere.centre,
+                Owner::Light => own_scene.scene.lights[k].point_light.position,
+                _ => own_scene.scene.objects[k].sphere.centre,
             };
-            (own.camera(COLUMNS), point)
+            (own_scene.camera(COLUMNS), point)
         })
     };
     let object = presence.object()?;

@@ -25,22 +25,22 @@ pub enum Target {
 
 /// All parameters, each with its target.
 pub static PARAMETERS: LazyLock<Vec<(Target, Parameter)>> = LazyLock::new(|| {
-    let own = largest_scene();
+    let own_scene = largest_scene();
     let mut parameters = vec![];
-    parameters.extend(parameters_of_owner(&own, Owner::Camera, 0, "camera"));
-    parameters.extend(parameters_of_owner(&own, Owner::Scene, 0, "ambient light"));
+    parameters.extend(parameters_of_owner(&own_scene, Owner::Camera, 0, "camera"));
+    parameters.extend(parameters_of_owner(&own_scene, Owner::Scene, 0, "ambient light"));
     parameters.push((Target::Mirrors, Parameter::switch(MIRRORS, "shadows and mirrors", false)));
-    for (k, object) in own.scene.objects.iter().enumerate() {
+    for (k, object) in own_scene.scene.objects.iter().enumerate() {
         let id = ParameterId::of(object.name, "in the scene");
         let presence = Parameter::switch(id, "in the scene", k < OBJECTS.len());
         parameters.push((Target::Presence(Owner::Object, k), presence));
-        parameters.extend(parameters_of_owner(&own, Owner::Object, k, object.name));
+        parameters.extend(parameters_of_owner(&own_scene, Owner::Object, k, object.name));
     }
     let light_names = LIGHT_NAMES.iter().map(|light| light.name).chain(["third light"]);
     for (k, name) in light_names.enumerate() {
         let presence = Parameter::switch(ParameterId::of(name, "on"), "on", k < LIGHT_NAMES.len());
         parameters.push((Target::Presence(Owner::Light, k), presence));
-        parameters.extend(parameters_of_owner(&own, Owner::Light, k, name));
+        parameters.extend(parameters_of_owner(&own_scene, Owner::Light, k, name));
     }
     parameters
 });
@@ -48,7 +48,7 @@ pub static PARAMETERS: LazyLock<Vec<(Target, Parameter)>> = LazyLock::new(|| {
 /// Returns a parameter and its target for each number that belongs to `owner`. If the owner is an
 /// object or a light, `k` is the owner's index. The parameters' ids contain `owner_name`.
 fn parameters_of_owner(
-    own: &OwnScene,
+    own_scene: &OwnScene,
     owner: Owner,
     k: usize,
     owner_name: &'static str,
@@ -56,7 +56,7 @@ fn parameters_of_owner(
     let quantities = QUANTITIES.iter().filter(move |quantity| quantity.owner == owner);
     quantities.flat_map(|quantity| quantity.scalars).map(move |scalar| {
         let id = ParameterId::of(owner_name, scalar.label);
-        let (range, default) = (scalar.range_for_owner(k), scalar.get(own, k));
+        let (range, default) = (scalar.range_for_owner(k), scalar.get(own_scene, k));
         let parameter = Parameter::number(id, scalar.label, default, range, scalar.steps_per_unit)
             .with_symbol(scalar.symbol)
             .with_unit(scalar.unit);
@@ -89,34 +89,34 @@ pub fn component_ids(object: &str, components: [Component; 3]) -> Option<[Parame
 
 /// The scene with these values, without the objects and lights that are switched off.
 pub fn own_scene(values: &ParameterValues) -> OwnScene {
-    let mut own = complete_scene(values);
+    let mut own_scene = complete_scene(values);
     // Goes from last to first, because removing an object or a light changes all later indices.
     for (target, parameter) in PARAMETERS.iter().rev() {
         match *target {
             Target::Presence(owner, k) if !values.is_on(parameter.id) => {
                 if owner == Owner::Object {
-                    own.scene.objects.remove(k);
-                    own.mirror_parts.remove(k);
+                    own_scene.scene.objects.remove(k);
+                    own_scene.mirror_parts.remove(k);
                 } else {
-                    own.scene.lights.remove(k);
+                    own_scene.scene.lights.remove(k);
                 }
             }
             Target::Presence(..) | Target::Mirrors | Target::Scalar(..) => {}
         }
     }
-    own
+    own_scene
 }
 
 /// The scene with these values, including the objects and lights that are switched off.
 pub fn complete_scene(values: &ParameterValues) -> OwnScene {
-    let mut own = largest_scene();
-    own.has_mirrors = values.is_on(MIRRORS);
+    let mut own_scene = largest_scene();
+    own_scene.has_mirrors = values.is_on(MIRRORS);
     for (target, parameter) in &*PARAMETERS {
         if let Target::Scalar(scalar, k) = *target {
-            scalar.set(&mut own, k, values[parameter.id]);
+            scalar.set(&mut own_scene, k, values[parameter.id]);
         }
     }
-    own
+    own_scene
 }
 
 /// The scene of step 5, plus the spheres and the light that are off by default.

@@ -15,12 +15,12 @@ const EXAMPLE: &str = include_str!("../../../../../steps/step05_phong/examples/o
 const LOOK_AT: &str = include_str!("../../../../../steps/step01_rays/examples/look_at.rs");
 
 /// Formats the program that draws the scene.
-pub fn format_program(own: &OwnScene) -> String {
+pub fn format_program(own_scene: &OwnScene) -> String {
     let mut program = EXAMPLE.trim_end().to_owned();
-    replace_body(&mut program, "my_scene", &scene_body(own));
-    replace_body(&mut program, "my_camera", &camera_body(own));
-    if own.has_mirrors {
-        replace_body(&mut program, "picture", &picture_body_with_mirrors(own));
+    replace_body(&mut program, "my_scene", &scene_body(own_scene));
+    replace_body(&mut program, "my_camera", &camera_body(own_scene));
+    if own_scene.has_mirrors {
+        replace_body(&mut program, "picture", &picture_body_with_mirrors(own_scene));
     }
     program
 }
@@ -42,10 +42,10 @@ fn replace_body(program: &mut String, function: &str, body: &str) {
 }
 
 /// The body of `my_scene`: the scene as an expression.
-fn scene_body(own: &OwnScene) -> String {
-    let objects = indented_lines(own.scene.objects.iter().map(ball_call));
-    let lights = indented_lines(own.scene.lights.iter().map(lamp_call));
-    let ambient_light = vector_call(own.scene.ambient_light);
+fn scene_body(own_scene: &OwnScene) -> String {
+    let objects = indented_lines(own_scene.scene.objects.iter().map(ball_call));
+    let lights = indented_lines(own_scene.scene.lights.iter().map(lamp_call));
+    let ambient_light = vector_call(own_scene.scene.ambient_light);
     format!(
         "    Scene {{
         objects: vec![{objects}],
@@ -58,13 +58,13 @@ fn scene_body(own: &OwnScene) -> String {
 /// The body of `my_camera`. If the field of view isn't the default, the body sets it. If the
 /// camera's position, target or roll isn't the default, the body moves the camera as `look_at`
 /// does.
-fn camera_body(own: &OwnScene) -> String {
+fn camera_body(own_scene: &OwnScene) -> String {
     let mut body = String::new();
-    if own.fov_degrees != FOV_DEGREES {
-        let fov = format!("f64::to_radians({:?})", own.fov_degrees);
+    if own_scene.fov_degrees != FOV_DEGREES {
+        let fov = format!("f64::to_radians({:?})", own_scene.fov_degrees);
         body = format!("    let camera = &Camera::new(camera.h_res, camera.v_res, {fov});\n");
     }
-    let OwnScene { position, target, roll_degrees: roll, .. } = *own;
+    let OwnScene { position, target, roll_degrees: roll, .. } = *own_scene;
     if (position, target, roll) == (DVec3::ZERO, DVec3::NEG_Z, 0.0) {
         return body + "    *camera";
     }
@@ -82,8 +82,8 @@ fn camera_body(own: &OwnScene) -> String {
 /// The body of `picture` for a scene with shadows and mirrors. The body calls the function `colour`
 /// of `mirror.rs`, and gives each ball a `k`: the fraction of the ball's colour that is a mirror
 /// image.
-fn picture_body_with_mirrors(own: &OwnScene) -> String {
-    let arms = zip(&own.scene.objects, &own.mirror_parts)
+fn picture_body_with_mirrors(own_scene: &OwnScene) -> String {
+    let arms = zip(&own_scene.scene.objects, &own_scene.mirror_parts)
         .map(|(object, k)| format!("            {:?} => {k:?},\n", object.name));
     format!(
         r#"    #[path = "mirror.rs"]

@@ -84,8 +84,8 @@ impl MirrorPicture {
         let object = short_name(point.hit.object.name).into();
         let row = [object, format_number(point.hit.t), format_number(k), intensity];
         let start = point.p + self.offset * point.n;
-        let mirrored = Ray { start, direction: reflect(point.n, -ray.direction) };
-        (row, (k > 0.0).then_some(mirrored))
+        let mirrored_ray = Ray { start, direction: reflect(point.n, -ray.direction) };
+        (row, (k > 0.0).then_some(mirrored_ray))
     }
 }
 
@@ -104,10 +104,10 @@ fn readouts(values: &ParameterValues) -> Readouts {
     let mut next_ray = Some(ray);
     for k in 0..=MAX_DEPTH {
         let hit = next_ray.map(|ray| picture.trace_hit(&ray, picture.depth - k));
-        let (row, mirrored) = hit.unwrap_or_default();
+        let (row, mirrored_ray) = hit.unwrap_or_default();
         let names = ["object", "t", "k", "I"].map(|column| row_readout_name(column, k as usize));
         readouts.extend(names.into_iter().zip(row));
-        next_ray = mirrored;
+        next_ray = mirrored_ray;
     }
     readouts
 }

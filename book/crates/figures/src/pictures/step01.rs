@@ -70,7 +70,7 @@ pub fn checkerboard_figure() -> Figure {
         readouts: |values| {
             let ray = probe_ray(values);
             let t = CHECKERBOARD_HEIGHT / ray.direction.y;
-            let seen = if t > 0.0 {
+            let description = if t > 0.0 {
                 format!("floor, t = {}, p = {}", format_number(t), format_vector(ray.at(t)))
             } else {
                 "sky".to_owned()
@@ -78,7 +78,7 @@ pub fn checkerboard_figure() -> Figure {
             collect_readouts([
                 ("i", format_number(values[I])),
                 ("j", format_number(values[J])),
-                ("seen", seen),
+                ("seen", description),
                 ("bytes", format_vector(rgb8(checkerboard_colour(&ray)).0.map(f64::from))),
             ])
         },
@@ -106,18 +106,19 @@ mod tests {
     #[test]
     fn probe_says_floor_where_the_picture_has_tiles() {
         let figure = checkerboard_figure();
-        for (j, seen) in [(100.0, "sky"), (179.0, "sky"), (180.0, "floor"), (359.0, "floor")] {
+        for (j, first_word) in [(100.0, "sky"), (179.0, "sky"), (180.0, "floor"), (359.0, "floor")]
+        {
             let values = figure
                 .default_values_with_probe_at([100.0, j])
                 .expect("the picture has this pixel");
             let ray = probe_ray(&values);
-            assert_eq!(checkerboard_colour(&ray) == direction_colour(&ray), seen == "sky");
-            assert!((figure.readouts)(&values)["seen"].starts_with(seen), "row {j}");
+            assert_eq!(checkerboard_colour(&ray) == direction_colour(&ray), first_word == "sky");
+            assert!((figure.readouts)(&values)["seen"].starts_with(first_word), "row {j}");
         }
         let values = figure
             .default_values_with_probe_at([320.0, 270.0])
             .expect("the picture has this pixel");
-        let seen = &(figure.readouts)(&values)["seen"];
-        assert_eq!(seen, "floor, t = 9.1722, p = (0.0083, −1.5, −9.1722)");
+        let description = &(figure.readouts)(&values)["seen"];
+        assert_eq!(description, "floor, t = 9.1722, p = (0.0083, −1.5, −9.1722)");
     }
 }

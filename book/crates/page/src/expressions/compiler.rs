@@ -75,7 +75,7 @@ impl Compiler<'_> {
     /// Compiles an expression: the whole line or a part of it.
     pub fn compile_expression(&mut self, syntax: &Expr) -> Result<Part, Refusal> {
         let name = write_without_spaces(syntax);
-        let code = match self.names.iter().find(|(known, _)| *known == name) {
+        let code = match self.names.iter().find(|(known_name, _)| *known_name == name) {
             Some((_, code)) => code.clone(),
             None => self.compile_unnamed_expression(syntax)?,
         };

@@ -227,8 +227,9 @@ mod tests {
 
     #[test]
     fn function_is_found_by_its_kind_name_and_types() {
-        let result =
-            |kind, name, types: &[_]| find_function(kind, name, types).map(|found| found.result);
+        let result = |kind, name, types: &[_]| {
+            find_function(kind, name, types).map(|function| function.result)
+        };
         assert_eq!(result(Sign, "*", &[F64, Vector]), Some(Vector));
         assert_eq!(result(Sign, "*", &[I32, I32]), Some(I32));
         assert_eq!(result(Sign, "*", &[I32, F64]), None);

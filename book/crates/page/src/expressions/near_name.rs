@@ -33,9 +33,9 @@ const SYNONYMS: &[(&str, &[&str])] = &[
 pub fn name_and_synonyms(name: &str) -> Vec<String> {
     let lowercase = name.to_ascii_lowercase();
     let row = SYNONYMS.iter().find(|(word, _)| *word == lowercase);
-    let others = row.map_or(&[][..], |(_, names)| names).iter().map(|name| (*name).to_owned());
-    let others: Vec<_> = others.collect();
-    [vec![lowercase], others].concat()
+    let synonyms = row.map_or(&[][..], |(_, names)| names).iter().map(|name| (*name).to_owned());
+    let synonyms: Vec<_> = synonyms.collect();
+    [vec![lowercase], synonyms].concat()
 }
 
 /// Returns the known name that is closest to `name`, if any known name is close enough. A known
@@ -45,25 +45,28 @@ pub fn name_and_synonyms(name: &str) -> Vec<String> {
 /// - It is a synonym of `name`.
 /// - It differs from `name` by a letter or two.
 /// - It is a prefix of `name`, and has more than half as many letters.
-pub fn find_near_name<'a>(name: &str, known: impl Iterator<Item = &'a str>) -> Option<&'a str> {
-    let wanted = name_and_synonyms(name);
-    let distance = |known: &str| {
-        let lowercase = known.to_ascii_lowercase();
-        if let Some(index) = wanted.iter().position(|word| *word == lowercase) {
+pub fn find_near_name<'a>(
+    name: &str,
+    known_names: impl Iterator<Item = &'a str>,
+) -> Option<&'a str> {
+    let accepted_names = name_and_synonyms(name);
+    let distance = |known_name: &str| {
+        let lowercase = known_name.to_ascii_lowercase();
+        if let Some(index) = accepted_names.iter().position(|word| *word == lowercase) {
             return Some(index);
         }
         if lowercase.len().min(name.len()) < MIN_LETTERS {
             return None;
         }
-        let distance = strsim::osa_distance(&wanted[0], &lowercase);
+        let distance = strsim::osa_distance(&accepted_names[0], &lowercase);
         let max_distance = if name.len() < 6 { 1 } else { 2 };
-        let is_long_prefix =
-            wanted[0].starts_with(&lowercase) && 2 * lowercase.len() > wanted[0].len();
+        let is_long_prefix = accepted_names[0].starts_with(&lowercase)
+            && 2 * lowercase.len() > accepted_names[0].len();
         // A synonym ranks ahead of a typo, and a typo ranks ahead of a prefix.
         (distance <= max_distance || is_long_prefix).then_some(10 * distance)
     };
-    let distances = known.filter_map(|known| Some((distance(known)?, known)));
-    distances.min_by_key(|(distance, _)| *distance).map(|(_, known)| known)
+    let distances = known_names.filter_map(|known_name| Some((distance(known_name)?, known_name)));
+    distances.min_by_key(|(distance, _)| *distance).map(|(_, known_name)| known_name)
 }
 
 #[cfg(test)]
@@ -72,9 +75,10 @@ mod tests {
 
     #[test]
     fn nearest_name_is_found() {
-        let known = ["x", "dot", "length", "length_squared", "lerp", "normalize", "powi", "powf"];
-        let find = |name| find_near_name(name, known.into_iter());
-        for (name, near) in [
+        let known_names =
+            ["x", "dot", "length", "length_squared", "lerp", "normalize", "powi", "powf"];
+        let find = |name| find_near_name(name, known_names.into_iter());
+        for (name, near_name) in [
             ("X", "x"),
             ("r", "x"),
             ("normalise", "normalize"),
@@ -86,7 +90,7 @@ mod tests {
             ("pow", "powi"),
             ("dotty", "dot"),
         ] {
-            assert_eq!(find(name), Some(near), "{name}");
+            assert_eq!(find(name), Some(near_name), "{name}");
         }
         for name in ["q", "name", "tan", "do", "centre"] {
             assert_eq!(find(name), None, "{name}");

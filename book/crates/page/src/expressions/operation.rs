@@ -21,7 +21,7 @@ pub enum OperationKind {
     Sign,
     /// A cast with `as`.
     Cast,
-    /// An array of its operands.
+    /// An array, whose elements are the operands.
     Array,
     /// An element of an array or a vector.
     Index,

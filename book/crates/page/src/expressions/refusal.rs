@@ -146,8 +146,8 @@ pub enum Fault {
     MissingParentheses { cure: String },
     #[error("A page can't read .into(). Write {cure}.")]
     Into { cure: String },
-    #[error("{name} isn't known here, but {near} is.")]
-    NearName { name: String, near: String },
+    #[error("{name} isn't known here, but {near_name} is.")]
+    NearName { name: String, near_name: String },
     #[error(
         "{} has no {name}. {} has it.",
         capitalise(describe_type(*.receiver)),
@@ -184,7 +184,7 @@ impl Fault {
             | Fault::Into { cure }
             | Fault::Method { cure }
             | Fault::MissingParentheses { cure }
-            | Fault::NearName { near: cure, .. }
+            | Fault::NearName { near_name: cure, .. }
             | Fault::NoFunction { cure }
             | Fault::UntypedLiteral { cure }
             | Fault::Suffix { cure }

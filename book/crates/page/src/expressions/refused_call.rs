@@ -119,10 +119,14 @@ fn is_atomic(text: &str) -> bool {
 
 /// Whether two chains such as `sphere.centre` are nearly equal: both have the same number of names,
 /// and corresponding names are equal or nearly equal.
-fn is_near_chain(name: &str, known: &str) -> bool {
-    let is_near = |(word, known): (&str, &str)| find_near_name(word, once(known)).is_some();
-    name.matches('.').count() == known.matches('.').count()
-        && name.split('.').zip(known.split('.')).all(|words| words.0 == words.1 || is_near(words))
+fn is_near_chain(name: &str, known_name: &str) -> bool {
+    let is_near =
+        |(word, known_name): (&str, &str)| find_near_name(word, once(known_name)).is_some();
+    name.matches('.').count() == known_name.matches('.').count()
+        && name
+            .split('.')
+            .zip(known_name.split('.'))
+            .all(|words| words.0 == words.1 || is_near(words))
 }
 
 impl Compiler<'_> {
@@ -153,7 +157,8 @@ impl Compiler<'_> {
         let mut wanted_types = ValueType::ALL;
         if types.contains(&ValueType::Array) {
             // An array is most likely meant to be a vector, so try vectors first.
-            let vector = wanted_types.iter().position(|one| *one == ValueType::Vector);
+            let vector =
+                wanted_types.iter().position(|value_type| *value_type == ValueType::Vector);
             wanted_types[..=vector.unwrap_or(0)].rotate_right(1);
         }
         // The type of a receiver can't be wrong, because this type has the field or method in the
@@ -280,25 +285,27 @@ impl Compiler<'_> {
         let mut candidates = name_and_synonyms(member)
             .into_iter()
             .filter(|name| find_function(OperationKind::Method, name, &types).is_some());
-        let near = candidates.next().or_else(|| {
-            let names = members(value_type).map(|known| known.name);
+        let near_name = candidates.next().or_else(|| {
+            let names = members(value_type).map(|candidate| candidate.name);
             find_near_name(member, names).map(str::to_owned)
         });
-        let near = near.and_then(|near| members(value_type).find(|known| known.name == near));
-        if let Some(near) = near {
-            let (end, near) = match (kind, near.kind) {
+        let near_member = near_name.and_then(|near_name| {
+            members(value_type).find(|candidate| candidate.name == near_name)
+        });
+        if let Some(near_member) = near_member {
+            let (end, near_name) = match (kind, near_member.kind) {
                 // The line already has parentheses after the name.
                 (OperationKind::Method, OperationKind::Method) => {
-                    (name_range.end, near.name.to_owned())
+                    (name_range.end, near_member.name.to_owned())
                 }
-                _ => (range_of(syntax).end, member_as_typed(near)),
+                _ => (range_of(syntax).end, member_as_typed(near_member)),
             };
-            let fault = Fault::NearName { name, near: format!(".{near}") };
+            let fault = Fault::NearName { name, near_name: format!(".{near_name}") };
             return Refusal { range: name_range.start..end, fault };
         }
         let owner = ValueType::ALL.into_iter().find(|value_type| {
             *value_type != receiver.code.value_type
-                && members(*value_type).any(|known| known.name == member)
+                && members(*value_type).any(|candidate| candidate.name == member)
         });
         let fault = match owner {
             Some(owner) => Fault::OtherReceiver { name, owner, receiver: value_type },
@@ -324,7 +331,7 @@ impl Compiler<'_> {
             return Refusal { range: range_of(syntax), fault };
         }
         let fault = match self.find_near_name_or_path(name) {
-            Some(near) => Fault::NearName { name: name.to_owned(), near },
+            Some(near_name) => Fault::NearName { name: name.to_owned(), near_name },
             None if name.to_ascii_lowercase().contains("vec3") && !self.place.has_vectors => {
                 Fault::NoVectors
             }
@@ -344,39 +351,39 @@ impl Compiler<'_> {
     /// Rewrites a function call as a method call: `sqrt(d)` as `d.sqrt()`, for example. Returns
     /// None if the first argument has no method with this name or a synonym of it.
     fn write_as_method(&self, name: &str, operands: &[Part]) -> Option<String> {
-        let last = name.rsplit("::").next().unwrap_or_default();
-        let (first, others) = operands.split_first()?;
-        let value_type = first.code.value_type.name();
+        let last_name = name.rsplit("::").next().unwrap_or_default();
+        let (first_operand, other_operands) = operands.split_first()?;
+        let value_type = first_operand.code.value_type.name();
         let types: Vec<_> = operands.iter().map(|operand| operand.code.value_type).collect();
-        let mut methods = name_and_synonyms(last);
-        methods.retain(|method| is_method(first.code.value_type, method));
+        let mut methods = name_and_synonyms(last_name);
+        methods.retain(|method| is_method(first_operand.code.value_type, method));
         let fits = |method: &&String| find_function(OperationKind::Method, method, &types);
         let method = methods.iter().find(|method| fits(method).is_some());
-        let texts = others.iter().map(|operand| &self.text[operand.range.clone()]);
-        let others = match method {
+        let texts = other_operands.iter().map(|operand| &self.text[operand.range.clone()]);
+        let other_arguments = match method {
             Some(_) => texts.collect::<Vec<_>>().join(", "),
             None => "…".to_owned(),
         };
         let method = method.or(methods.first())?;
-        let text = &self.text[first.range.clone()];
-        Some(if first.code.has_ambiguous_type {
+        let text = &self.text[first_operand.range.clone()];
+        Some(if first_operand.code.has_ambiguous_type {
             // No method can be called on a literal such as 2.0, because Rust doesn't know its type
             // yet.
-            let comma = if others.is_empty() { "" } else { ", " };
-            format!("{value_type}::{method}({text}{comma}{others})")
+            let comma = if other_arguments.is_empty() { "" } else { ", " };
+            format!("{value_type}::{method}({text}{comma}{other_arguments})")
         } else if is_atomic(text) {
-            format!("{text}.{method}({others})")
+            format!("{text}.{method}({other_arguments})")
         } else {
-            format!("({text}).{method}({others})")
+            format!("({text}).{method}({other_arguments})")
         })
     }
 
     /// Finds a known name that is close to `name`: a variable, or the path of a function or
     /// constant.
     fn find_near_name_or_path(&self, name: &str) -> Option<String> {
-        let variables = || self.names.iter().map(|(known, _)| &**known);
+        let variables = || self.names.iter().map(|(variable, _)| &**variable);
         let converted = format!("f64::from({name})");
-        let variable = variables().find(|known| *known == converted);
+        let variable = variables().find(|variable| *variable == converted);
         if let Some(variable) = variable.or_else(|| find_near_name(name, variables())) {
             return Some(self.restore_spaces_in_name(variable));
         }
@@ -384,19 +391,20 @@ impl Compiler<'_> {
         let paths: Vec<_> =
             functions().filter_map(Function::qualified_name).filter(is_here).collect();
         // The last name in a path, such as PI in std::f64::consts::PI.
-        let last = |path: &str| path.rsplit("::").next().unwrap_or_default().to_ascii_lowercase();
-        let find_last = |wanted: &str| {
-            let mut paths = paths.iter().filter(|path| last(path) == wanted);
+        let last_name =
+            |path: &str| path.rsplit("::").next().unwrap_or_default().to_ascii_lowercase();
+        let find_by_last_name = |wanted: &str| {
+            let mut paths = paths.iter().filter(|path| last_name(path) == wanted);
             // Prefer functions of the type in `name`: those of DVec3 for `DVec3::normalise`.
             let owner = name.split("::").next().unwrap_or_default();
-            let own = paths.clone().find(|path| path.starts_with(owner));
-            own.or_else(|| paths.next()).map(|path| path.clone().into_owned())
+            let path_of_owner = paths.clone().find(|path| path.starts_with(owner));
+            path_of_owner.or_else(|| paths.next()).map(|path| path.clone().into_owned())
         };
-        let word = last(name);
-        let same = (name.len() > 1).then(|| find_last(&word)).flatten();
-        same.or_else(|| {
-            let lasts: Vec<_> = paths.iter().map(|path| last(path)).collect();
-            find_last(find_near_name(&word, lasts.iter().map(|last| &**last))?)
+        let word = last_name(name);
+        let path_of_same_name = (name.len() > 1).then(|| find_by_last_name(&word)).flatten();
+        path_of_same_name.or_else(|| {
+            let last_names: Vec<_> = paths.iter().map(|path| last_name(path)).collect();
+            find_by_last_name(find_near_name(&word, last_names.iter().map(|name| &**name))?)
         })
     }
 
@@ -421,32 +429,37 @@ impl Compiler<'_> {
         }) {
             links.push(inner);
         }
-        let is_name = |name: &str| self.names.iter().any(|(known, _)| *known == name);
+        let is_name = |name: &str| self.names.iter().any(|(known_name, _)| *known_name == name);
         let begins_name = |name: &str| {
-            let rest = |(known, _): &(String, _)| known.strip_prefix(name).map(str::to_owned);
-            self.names.iter().any(|known| rest(known).is_some_and(|rest| rest.starts_with('.')))
+            let suffix =
+                |(known_name, _): &(String, _)| known_name.strip_prefix(name).map(str::to_owned);
+            self.names
+                .iter()
+                .any(|entry| suffix(entry).is_some_and(|suffix| suffix.starts_with('.')))
         };
         let names: Vec<_> = links.iter().map(|link| write_without_spaces(*link)).collect();
         let root = names.last()?;
         if !begins_name(root) || names.iter().any(|name| is_name(name)) {
             return None;
         }
-        let variables = || self.names.iter().map(|(known, _)| &**known);
-        let near = links.iter().zip(&names).find_map(|(link, name)| {
-            let near =
-                self.restore_spaces_in_name(variables().find(|known| is_near_chain(name, known))?);
+        let variables = || self.names.iter().map(|(known_name, _)| &**known_name);
+        let near_fault = links.iter().zip(&names).find_map(|(link, name)| {
+            let near_name = self.restore_spaces_in_name(
+                variables().find(|variable| is_near_chain(name, variable))?,
+            );
             let range = range_of(*link);
             let name = self.text[range.clone()].to_owned();
-            Some((range, Fault::NearName { name, near }))
+            Some((range, Fault::NearName { name, near_name }))
         });
-        let (range, fault) = near.unwrap_or_else(|| {
+        let (range, fault) = near_fault.unwrap_or_else(|| {
             let index = names.iter().rposition(|name| !begins_name(name)).unwrap_or(0);
             let range = range_of(links[index]);
             let name = self.text[range.clone()].to_owned();
             let start = format!("{root}.");
-            let known = variables().filter(|known| known.starts_with(&start));
-            let known: Vec<_> = known.map(|known| self.restore_spaces_in_name(known)).collect();
-            let cure = format!("With {root}, you can write:\n{}", known.join(", "));
+            let variables_of_root = variables().filter(|variable| variable.starts_with(&start));
+            let variables_of_root: Vec<_> =
+                variables_of_root.map(|variable| self.restore_spaces_in_name(variable)).collect();
+            let cure = format!("With {root}, you can write:\n{}", variables_of_root.join(", "));
             let fault = match links[index] {
                 _ if begins_name(&names[index]) => Fault::PartOfName { name, cure },
                 Expr::MethodCall(_) => Fault::UnknownCall { name, cure },
@@ -523,7 +536,9 @@ mod tests {
     #[test]
     fn member_is_written_as_in_a_line() {
         let write = |value_type, name| {
-            member_as_typed(members(value_type).find(|known| known.name == name).expect(name))
+            member_as_typed(
+                members(value_type).find(|candidate| candidate.name == name).expect(name),
+            )
         };
         assert_eq!(write(ValueType::Vector, "x"), "x");
         assert_eq!(write(ValueType::Vector, "length"), "length()");
@@ -538,7 +553,7 @@ mod tests {
         let code = |compiler: &Compiler| compiler.code_of_free_slot(ValueType::F64, false);
         let mut compiler = Compiler { place, text: "", names: vec![] };
         compiler.names = names.map(|name| (name.to_owned(), code(&compiler))).into();
-        for (name, near) in [
+        for (name, near_name) in [
             ("sphere.center", Some("sphere.centre")),
             ("n", Some("f64::from(n)")),
             ("pi", Some("std::f64::consts::PI")),
@@ -547,7 +562,7 @@ mod tests {
             ("flooor", Some("f64::floor")),
             ("teapot", None),
         ] {
-            assert_eq!(compiler.find_near_name_or_path(name).as_deref(), near, "{name}");
+            assert_eq!(compiler.find_near_name_or_path(name).as_deref(), near_name, "{name}");
         }
     }
 }

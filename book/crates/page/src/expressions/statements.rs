@@ -36,7 +36,7 @@ fn tail_expression(syntax: &Expr) -> &Expr {
 impl Compiler<'_> {
     /// Compiles an `if`.
     pub fn compile_if(&mut self, branches: &ExprIf) -> Result<Code, Refusal> {
-        let Some((_, other)) = &branches.else_branch else {
+        let Some((_, else_expression)) = &branches.else_branch else {
             return refuse(range_of(&branches.if_token), Fault::MissingElse);
         };
         if let Expr::Assign(assignment) = &*branches.cond {
@@ -44,17 +44,22 @@ impl Compiler<'_> {
         }
         let condition = self.compile_expression(&branches.cond)?;
         let then_block = &branches.then_branch;
-        let then = self.compile_statements(&then_block.stmts, range_of(then_block))?;
-        let other =
-            Part { range: range_of(tail_expression(other)), ..self.compile_expression(other)? };
-        for (part, wanted) in [(&condition, ValueType::Bool), (&other, then.code.value_type)] {
+        let then_part = self.compile_statements(&then_block.stmts, range_of(then_block))?;
+        let else_part = Part {
+            range: range_of(tail_expression(else_expression)),
+            ..self.compile_expression(else_expression)?
+        };
+        for (part, wanted) in
+            [(&condition, ValueType::Bool), (&else_part, then_part.code.value_type)]
+        {
             if part.code.value_type != wanted {
                 let fault = explain_mismatch("if takes", part, self.text, wanted);
                 return refuse(part.range.clone(), fault);
             }
         }
-        let has_ambiguous_type = then.code.has_ambiguous_type && other.code.has_ambiguous_type;
-        let [if_true, if_false] = [then.code.computation, other.code.computation];
+        let has_ambiguous_type =
+            then_part.code.has_ambiguous_type && else_part.code.has_ambiguous_type;
+        let [if_true, if_false] = [then_part.code.computation, else_part.code.computation];
         let computation = match condition.code.computation {
             Computation::Constant(Value::Bool(true)) => if_true,
             Computation::Constant(_) => if_false,
@@ -66,7 +71,7 @@ impl Compiler<'_> {
                 }
             })),
         };
-        Ok(Code { computation, value_type: then.code.value_type, has_ambiguous_type })
+        Ok(Code { computation, value_type: then_part.code.value_type, has_ambiguous_type })
     }
 
     /// Compiles the remaining statements of the block at `range`. The value of the last statement
@@ -76,9 +81,9 @@ impl Compiler<'_> {
         statements: &[Stmt],
         range: Range<usize>,
     ) -> Result<Part, Refusal> {
-        let (local, rest) = match statements {
+        let (local, remaining_statements) = match statements {
             [Stmt::Expr(value, None)] => return self.compile_expression(value),
-            [Stmt::Local(local), rest @ ..] => (local, rest),
+            [Stmt::Local(local), remaining_statements @ ..] => (local, remaining_statements),
             [] => return refuse(range, Fault::BlockWithoutValue),
             [Stmt::Expr(Expr::Assign(assignment), _), ..] => {
                 return refuse(range_of(&assignment.eq_token), Fault::Reassignment);
@@ -114,16 +119,16 @@ impl Compiler<'_> {
             false => self.code_of_free_slot(value.value_type, value.has_ambiguous_type),
         };
         self.add_name(ident, named_value)?;
-        let Part { code, range } = self.compile_statements(rest, range)?;
+        let Part { code, range } = self.compile_statements(remaining_statements, range)?;
         self.names.pop();
         if is_constant {
             return Ok(Part { code, range });
         }
-        let (value, rest) = (value.computation, code.computation);
+        let (value, remaining_block) = (value.computation, code.computation);
         let computation = Computation::Closure(Rc::new(move |evaluation| {
             let value = value.evaluate(evaluation)?;
             evaluation.slots.push(value);
-            let result = rest.evaluate(evaluation);
+            let result = remaining_block.evaluate(evaluation);
             evaluation.slots.pop();
             result
         }));
@@ -184,11 +189,12 @@ impl Compiler<'_> {
     fn add_name(&mut self, ident: &Ident, value: Code) -> Result<(), Refusal> {
         let name = ident.to_string();
         let is_end = |sign: char| !sign.is_alphanumeric() && sign != '_';
-        let mut firsts = self.names.iter().map(|(known, _)| known.split(is_end).next());
+        let mut root_names =
+            self.names.iter().map(|(known_name, _)| known_name.split(is_end).next());
         if ["self", "gen"].contains(&&*name) || name.starts_with(char::is_uppercase) {
             return refuse(range_of(ident), Fault::Name);
         }
-        if firsts.any(|first| first == Some(&name)) {
+        if root_names.any(|root_name| root_name == Some(&name)) {
             return refuse(range_of(ident), Fault::TakenName(name));
         }
         self.names.push((name, value));

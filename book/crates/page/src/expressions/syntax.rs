@@ -41,20 +41,20 @@ pub fn parse_syntax(place: &Place, text: &str) -> Result<Vec<Stmt>, Refusal> {
 /// Returns where a `//` comment begins in the last row of the text, if the row has one. In the
 /// listing, such a comment would hide the code that follows the text.
 fn find_line_comment_in_last_row(text: &str) -> Option<usize> {
-    let (mut depth, mut at) = (0, 0);
-    while at < text.len() {
-        let rest = &text.as_bytes()[at..];
-        if depth == 0 && rest.starts_with(b"//") {
-            match text[at..].find('\n') {
-                Some(length) => at += length,
-                None => return Some(at),
+    let (mut depth, mut index) = (0, 0);
+    while index < text.len() {
+        let remaining_bytes = &text.as_bytes()[index..];
+        if depth == 0 && remaining_bytes.starts_with(b"//") {
+            match text[index..].find('\n') {
+                Some(length) => index += length,
+                None => return Some(index),
             }
-        } else if rest.starts_with(b"/*") {
-            (depth, at) = (depth + 1, at + 2);
-        } else if depth > 0 && rest.starts_with(b"*/") {
-            (depth, at) = (depth - 1, at + 2);
+        } else if remaining_bytes.starts_with(b"/*") {
+            (depth, index) = (depth + 1, index + 2);
+        } else if depth > 0 && remaining_bytes.starts_with(b"*/") {
+            (depth, index) = (depth - 1, index + 2);
         } else {
-            at += 1;
+            index += 1;
         }
     }
     None
@@ -67,19 +67,19 @@ fn refuse_unreadable_text(text: &str, allows_line_comment: bool) -> Result<(), R
         return refuse(0..text.len(), Fault::LongText);
     }
     let is_hidden = |sign: char| sign.is_control() && !"\n\t".contains(sign);
-    if let Some((at, sign)) = text.char_indices().find(|(_, sign)| is_hidden(*sign)) {
-        return refuse(at..at + sign.len_utf8(), Fault::ControlCharacter);
+    if let Some((start, sign)) = text.char_indices().find(|(_, sign)| is_hidden(*sign)) {
+        return refuse(start..start + sign.len_utf8(), Fault::ControlCharacter);
     }
     let is_unreadable = |sign: char| !sign.is_ascii() || "'\"#@$\\".contains(sign);
-    if let Some((at, sign)) = text.char_indices().find(|(_, sign)| is_unreadable(*sign)) {
-        return refuse(at..at + sign.len_utf8(), Fault::UnreadableSign(sign));
+    if let Some((start, sign)) = text.char_indices().find(|(_, sign)| is_unreadable(*sign)) {
+        return refuse(start..start + sign.len_utf8(), Fault::UnreadableSign(sign));
     }
-    if let Some(at) = find_line_comment_in_last_row(text).filter(|_| !allows_line_comment) {
-        return refuse(at..at + 2, Fault::LineComment);
+    if let Some(start) = find_line_comment_in_last_row(text).filter(|_| !allows_line_comment) {
+        return refuse(start..start + 2, Fault::LineComment);
     }
     for (sign, fault) in [("<-", Fault::LeftArrow), ("?", Fault::QuestionMark)] {
-        if let Some(at) = text.find(sign) {
-            return refuse(at..at + sign.len(), fault);
+        if let Some(start) = text.find(sign) {
+            return refuse(start..start + sign.len(), fault);
         }
     }
     Ok(())
@@ -88,18 +88,18 @@ fn refuse_unreadable_text(text: &str, allows_line_comment: bool) -> Result<(), R
 /// Explains in plain words why `syn` stopped at this range.
 fn explain_syntax_error(text: &str, range: Range<usize>, error: &str) -> Refusal {
     let end = text.trim_end().len();
-    let at = range.start;
-    let is_at_end = range.is_empty() || at >= end;
+    let start = range.start;
+    let is_at_end = range.is_empty() || start >= end;
     if end == 0 {
         return Refusal { range: 0..0, fault: Fault::Nothing };
     }
     let (range, fault) = if text.parse::<TokenStream>().is_err() {
-        let fault = match text[at..].chars().next() {
+        let fault = match text[start..].chars().next() {
             Some('(' | '[' | '{') => Fault::UnclosedBracket,
             Some(')' | ']' | '}') => Fault::UnopenedBracket,
             _ => Fault::Unreadable,
         };
-        (at..text.len().min(at + 1), fault)
+        (start..text.len().min(start + 1), fault)
     } else if error == COMPARISON_CHAIN {
         (range, Fault::ComparisonChain)
     } else if &text[range.clone()] == ";" {
@@ -149,7 +149,7 @@ mod tests {
 
     #[test]
     fn comment_in_the_last_row_is_found() {
-        for (text, at) in [
+        for (text, start) in [
             ("a // b", Some(2)),
             ("a // b\n + c", None),
             ("a // b\n + c //", Some(12)),
@@ -158,7 +158,7 @@ mod tests {
             ("a /* */ // b", Some(8)),
             ("a / b", None),
         ] {
-            assert_eq!(find_line_comment_in_last_row(text), at, "{text}");
+            assert_eq!(find_line_comment_in_last_row(text), start, "{text}");
         }
     }
 }

@@ -42,12 +42,12 @@ pub fn describe_type(value_type: ValueType) -> &'static str {
 pub fn describe_types(types: &[ValueType]) -> String {
     let groups = types.chunk_by(|a, b| a == b).map(|group| match (group.len(), group[0]) {
         (1, ValueType::Bool) => describe_type(ValueType::Bool).to_owned(),
-        (1, one) => {
-            format!("one {}", describe_type(one).split_once(' ').map_or("", |words| words.1))
+        (1, value_type) => {
+            format!("one {}", describe_type(value_type).split_once(' ').map_or("", |words| words.1))
         }
         (count, ValueType::F64) => format!("{} numbers", count_word(count)),
         (count, ValueType::Vector) => format!("{} vectors", count_word(count)),
-        (count, other) => format!("{} times {}", count_word(count), describe_type(other)),
+        (count, value_type) => format!("{} times {}", count_word(count), describe_type(value_type)),
     });
     let groups: Vec<_> = groups.collect();
     if groups.is_empty() { "no value".to_owned() } else { groups.join(" and ") }
@@ -65,8 +65,8 @@ fn count_word(count: usize) -> String {
 
 /// Capitalises the first letter, as at the beginning of a sentence.
 pub fn capitalise(words: &str) -> String {
-    let (first, rest) = words.split_at(words.ceil_char_boundary(1));
-    first.to_ascii_uppercase() + rest
+    let (first_letter, remaining_letters) = words.split_at(words.ceil_char_boundary(1));
+    first_letter.to_ascii_uppercase() + remaining_letters
 }
 
 /// The error for a value that doesn't have the expected type.

@@ -15,8 +15,9 @@ fn refused_lines_have_their_range_and_sentence() {
             Ok(()) => format!("{name} {text}\n"),
             Err(Refusal { range, fault }) => {
                 let Range { start, end } = range;
-                let [before, wrong, after] = [&text[..start], &text[start..end], &text[end..]];
-                format!("{name} {before}⟦{wrong}⟧{after}\n    {fault}\n")
+                let [text_before, wrong_text, text_after] =
+                    [&text[..start], &text[start..end], &text[end..]];
+                format!("{name} {text_before}⟦{wrong_text}⟧{text_after}\n    {fault}\n")
             }
         };
     }
