@@ -1,6 +1,7 @@
 //! Draws every locked picture, and compares it with its snapshot. Each picture has its own test,
-//! which has the picture's name. The locked pictures are those of the steps, exercises and
-//! chapters, and the cover. These tests run before all other tests.
+//! which has the picture's name. The locked pictures are the cover and the pictures of the steps,
+//! the exercises and the chapters. `cargo test` runs these tests before all other tests, so that a
+//! changed picture is reported first.
 
 use course::{draw_with_difference, workspace};
 use image::{Rgb, RgbImage};
@@ -58,9 +59,9 @@ fn files_below(folder: &Path) -> Vec<PathBuf> {
     files.flatten().collect()
 }
 
-/// The name of a text snapshot is that of a test function, or a string literal in the same crate.
-/// So if the name occurs nowhere in the crate's source, no test uses the snapshot. This test
-/// doesn't find every unused snapshot, but `cargo insta test --unreferenced=reject` does.
+/// The name of a text snapshot is either the name of a test function or a string literal in the
+/// same crate. So if the name occurs nowhere in the crate's source, no test uses the snapshot. This
+/// test doesn't find every unused snapshot, but `cargo insta test --unreferenced=reject` does.
 #[test]
 fn name_of_each_text_snapshot_occurs_in_its_crate_source() {
     let (mut orphans, mut count) = (vec![], 0);

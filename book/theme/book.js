@@ -122,7 +122,8 @@ const book = /** @type {any} */ ({ root: document.documentElement });
     }
     book.History = History;
 
-    // Once an element has come near the view, it stays laid out.
+    // The stylesheet lets a browser skip the layout of elements that are far from the viewport.
+    // Once an element has come near the viewport, the element stays laid out.
     book.whenNear(document.querySelectorAll("main > *"), part => { part.style.contentVisibility = "visible"; });
 
     // The theme. While `auto` is chosen, the theme is the system's. From `auto`, the first click
@@ -178,7 +179,8 @@ const book = /** @type {any} */ ({ root: document.documentElement });
         // Some servers leave out `.html` in the addresses of pages.
         /** @param {{ pathname: string }} url */
         const name = url => url.pathname.split("/").pop().replace(/\.html$/, "");
-        // A step gets a tick once a check has found the reader's picture of the step right.
+        // The table of contents shows a tick at a step once a check has found that the reader's
+        // picture of this step is right.
         book.markRight = () => {
             const right = book.recall("right");
             for (const link of links) {
@@ -247,8 +249,8 @@ const book = /** @type {any} */ ({ root: document.documentElement });
         try { book.writeHTML(() => window.hljs?.highlightBlock(code)); } catch { /* The code stays without colours. */ }
     };
     book.colour = code => void book.load("highlight.js").then(isLoaded => isLoaded && setTimeout(() => {
-        // Don't colour a listing that is being edited. Colouring replaces the elements of the
-        // listing's lines. If a line has the focus, move the focus to the line's new element.
+        // Colouring replaces the elements of the listing's lines. So don't colour a listing that is
+        // being edited. If a line has the focus, move the focus to the line's new element.
         if (code.querySelector("[data-book]")) return;
         const name = code.querySelector(":focus")?.dataset.line;
         book.colourCode(code);
@@ -265,9 +267,10 @@ const book = /** @type {any} */ ({ root: document.documentElement });
             const edited = copy.querySelectorAll("[data-book]");
             for (const line of edited) line.textContent = line.dataset.book;
             // A file may be shown in several listings, which the reader pastes one below the other.
-            // A blank line between two listings is copied with the lower one. If it were copied
-            // with the upper listing, it would end the file until the lower listing is pasted. An
-            // editor that formats the file in the meantime would delete it.
+            // A blank line between two listings is copied with the lower listing. If the blank line
+            // were copied with the upper listing, the file would end with a blank line until the
+            // reader pastes the lower listing. An editor that formats the file in the meantime
+            // would delete the blank line.
             const start = caption.parentElement.matches("[data-below-blank]") ? "\n" : "";
             const text = `${start}${copy.textContent.trimEnd()}\n`;
             book.copyAndReport(button, text, edited.length ? "Copied, without your lines" : "Copied");

@@ -8,9 +8,9 @@
     // drawn with fewer columns. Once nothing has moved for REST milliseconds, it is drawn with all
     // columns.
     const FRAME = 60, REST = 150;
-    // At rest, the cover's picture is drawn with as many columns as the image in the page's HTML.
-    // If drawing this picture takes longer than LONGEST_REST_FRAME milliseconds, the picture is
-    // drawn with fewer columns.
+    // The cover's image in the page's HTML has more than `about.columns` columns. At rest, the
+    // cover's picture is drawn again with as many columns as this image, unless that would take
+    // longer than LONGEST_REST_FRAME milliseconds.
     const LONGEST_REST_FRAME = 300;
 
     // In an address that chooses a pixel, this prefix precedes the pixel's column and row.
@@ -41,7 +41,7 @@
             this.pixel = null;
             // Whether the next pixel that is shown counts as the reader's choice, even if it's the
             // same pixel as before.
-            this.isPixelChosenAgain = false;
+            this.isNextPixelChosen = false;
             /** @type {FigureAbout} */
             this.about = book.ask(module, { request: "about", figure: this.name });
             this.parameters = new Map(this.about.parameters.map(parameter => [parameter.id, parameter]));
@@ -91,29 +91,29 @@
         }
 
         // Makes the stage, which holds a drawing or a picture, with the handles on top. Until
-        // something moves, the stage shows what the builder has printed.
+        // something moves, the stage shows the drawing or picture from the page's HTML.
         makeStage() {
             /** @type {HTMLImageElement} */
-            const printed = this.root.querySelector("svg, img");
-            const size = ["width", "height"].map(side => Number(printed.getAttribute(side)));
-            // On the cover, this divisor is less than 1, because the printed picture has more
+            const initialImage = this.root.querySelector("svg, img");
+            const size = ["width", "height"].map(side => Number(initialImage.getAttribute(side)));
+            // On the cover, this divisor is less than 1, because the initialImage picture has more
             // columns than are drawn while something moves.
-            this.leastDivisor = this.about.columns ? this.about.columns / size[0] : 1;
-            this.size = size.map(side => side * this.leastDivisor);
+            this.restDivisor = this.about.columns ? this.about.columns / size[0] : 1;
+            this.size = size.map(side => side * this.restDivisor);
             this.stage = book.make("div", { class: "stage" });
             this.stage.style.aspectRatio = this.size.join(" / ");
-            printed.replaceWith(this.stage);
-            printed.draggable = false;
-            this.stage.append(printed);
-            this.printed = printed;
+            initialImage.replaceWith(this.stage);
+            initialImage.draggable = false;
+            this.stage.append(initialImage);
+            this.initialImage = initialImage;
             /** @type {HTMLElement} */
-            this.output = printed;
+            this.output = initialImage;
             // How many milliseconds it takes to draw the picture with all columns. This is a guess
             // until the picture has been drawn.
-            this.wholeTime = 2 * FRAME;
-            // The shortest `wholeTime` so far. It's the most reliable, because interruptions can
+            this.fullDrawingTime = 2 * FRAME;
+            // The shortest `fullDrawingTime` so far. It's the most reliable, because interruptions can
             // only make a time longer.
-            this.leastTime = Infinity;
+            this.leastDrawingTime = Infinity;
             this.restTimer = 0;
             this.addressTimer = 0;
             this.frame = 0;
@@ -159,7 +159,7 @@
 
         /** @param {Gesture} gesture */
         drawMoving(gesture) {
-            this.draw(gesture, [1, 2].find(k => this.wholeTime / k ** 2 <= FRAME) ?? 4);
+            this.draw(gesture, [1, 2].find(k => this.fullDrawingTime / k ** 2 <= FRAME) ?? 4);
         }
 
         // Draws in the next frame. If several gestures come before the next frame, only the last is
@@ -203,9 +203,9 @@
         }
 
         // Makes the control of a parameter by copying the control that another object has for the
-        // parameter of the same name. In an editable scene, the HTML contains the controls of only
-        // one sphere and one light, because all spheres have the same parameters, and all lights
-        // do, too.
+        // parameter of the same name. In an editable scene, every sphere has the same parameters as
+        // the other spheres, and every light has the same parameters as the other lights. So the
+        // HTML contains the controls of only one sphere and one light.
         /** @param {ParameterAbout} parameter */
         copyControl({ id, object, name, min, max, step }) {
             const namesakes = this.about.parameters.filter(other => other.object && other.name === name);
@@ -287,9 +287,9 @@
             for (const callback of this.controlsCallbacks) callback();
         }
 
-        // Sends a request, and shows the reply. The number of columns in a picture is divided by
-        // `divisor`, which may be 2 or 4 while something moves. If there is nothing to show, the
-        // figure stays as it was.
+        // Sends a request, and shows the reply. A picture has `about.columns / divisor` columns.
+        // While something moves, `divisor` is 1, 2 or 4. At rest, it's 1 or `restDivisor`. If
+        // there is nothing to show, the figure stays as it was.
         /** @param {Gesture} gesture */
         draw(gesture = { request: "show" }, divisor = 1) {
             const { name: figure, values, about } = this;
@@ -300,10 +300,10 @@
                 this.show(reply);
                 if (!reply.size) return;
                 clearTimeout(this.restTimer);
-                this.wholeTime = (performance.now() - start) * divisor ** 2;
-                this.leastTime = Math.min(this.leastTime, this.wholeTime);
-                const isFast = this.leastTime / this.leastDivisor ** 2 <= LONGEST_REST_FRAME;
-                const next = divisor === 1 && isFast ? this.leastDivisor : 1;
+                this.fullDrawingTime = (performance.now() - start) * divisor ** 2;
+                this.leastDrawingTime = Math.min(this.leastDrawingTime, this.fullDrawingTime);
+                const isFast = this.leastDrawingTime / this.restDivisor ** 2 <= LONGEST_REST_FRAME;
+                const next = divisor === 1 && isFast ? this.restDivisor : 1;
                 if (divisor > next) this.restTimer = setTimeout(() => this.draw({ request: "show" }, next), REST);
             } catch (error) {
                 this.values = this.reply.values;
@@ -341,13 +341,13 @@
         /** @param {FigureReply} reply */
         showOutput(reply) {
             if (reply.size) {
-                if (this.output === this.printed) {
-                    this.output = book.make("canvas", { role: "img", "aria-label": this.printed.alt });
-                    this.printed.replaceWith(this.output);
+                if (this.output === this.initialImage) {
+                    this.output = book.make("canvas", { role: "img", "aria-label": this.initialImage.alt });
+                    this.initialImage.replaceWith(this.output);
                 }
                 book.paint(/** @type {HTMLCanvasElement} */ (this.output), reply);
             } else if (reply.drawing !== undefined) {
-                book.writeHTML(() => { this.printed.querySelector("g").innerHTML = reply.drawing; });
+                book.writeHTML(() => { this.initialImage.querySelector("g").innerHTML = reply.drawing; });
             }
             if (!this.companion) return;
             const figure = this.companion.id.replace("figure-", "");
@@ -392,9 +392,9 @@
         /** @param {Record<string, string>} readouts */
         showPixel({ i, j, object, seen, bytes }) {
             this.probe.element.setAttribute("aria-valuetext", `column ${i}, row ${j}: ${seen}, colour ${bytes}`);
-            const previous = this.pixel, isChosen = this.isPixelChosenAgain || previous !== `${i},${j}`;
+            const previous = this.pixel, isChosen = this.isNextPixelChosen || previous !== `${i},${j}`;
             this.pixel = `${i},${j}`;
-            this.isPixelChosenAgain = false;
+            this.isNextPixelChosen = false;
             if (previous === null) return;
             const swatch = book.make("span", { class: "swatch" });
             swatch.style.background = `rgb${bytes}`;
@@ -426,17 +426,17 @@
             this.addressTimer = setTimeout(() => writeHash(PIXEL + this.pixel), REST);
         }
 
-        // Makes the next pixel that is shown count as the reader's choice, even if it's the same
-        // pixel as before.
-        choosePixelAgain() {
-            this.isPixelChosenAgain = true;
+        // After this call, the next pixel that is shown counts as the reader's choice, even if it's
+        // the same pixel as before.
+        treatNextPixelAsChosen() {
+            this.isNextPixelChosen = true;
         }
 
         // Goes back to the default pixel, as if the reader had chosen none.
         forgetPixel() {
             const { horizontal, vertical } = this.probe.about;
             this.pixel = `${this.defaults[horizontal]},${this.defaults[vertical]}`;
-            this.isPixelChosenAgain = false;
+            this.isNextPixelChosen = false;
             clearTimeout(this.addressTimer);
             if (location.hash.startsWith(PIXEL)) writeHash("");
         }
@@ -467,7 +467,7 @@
                 const isDragged = Math.hypot(clientX - pressed.clientX, clientY - pressed.clientY) > 2;
                 const isOnHandle = !isDragged && this.handles.some(({ element }) => element === target);
                 if (target !== this.output && !isOnCross && !isOnHandle) return;
-                this.choosePixelAgain();
+                this.treatNextPixelAsChosen();
                 if (isOnCross) this.drawNextFrame({ request: "read" });
                 else this.drawNextFrame({ request: "drag", handle: this.probe.index, position: this.positionOfPointer(event) });
                 if (!isOnHandle) this.probe.element.focus({ preventScroll: true });
@@ -521,9 +521,9 @@
         if (press) output.dispatchEvent(new PointerEvent(press.type, press));
     }
 
-    // Parses an address that names a pixel, such as #pixel=470,120. Returns the element of the
-    // figure whose probe can show the pixel, with the pixel's column and row. Returns null if there
-    // is no such figure.
+    // Parses an address that names a pixel, such as #pixel=470,120. Returns the pixel's column and
+    // row, and the element of the figure whose probe can show the pixel. Returns a falsy value if
+    // the address names no pixel, or if there is no such figure.
     function findPixelOfAddress() {
         if (!location.hash.startsWith(PIXEL)) return null;
         const [, i, j] = location.hash.slice(PIXEL.length).match(/^(\d+)(?:,|%2C)(\d+)$/i) ?? [];
@@ -532,16 +532,16 @@
         return root && { root, i: Number(i), j: Number(j) };
     }
 
-    // Moves the probe to the pixel in the address, if the probe's picture is interactive by now.
-    // Doesn't scroll to the picture, because the reader may have scrolled elsewhere in the
-    // meantime.
+    // Moves the probe to the pixel in the address, if the probe's picture is already interactive.
+    // Otherwise, `activateFigure` calls this function once the picture is interactive. Doesn't
+    // scroll to the picture, because the reader may have scrolled elsewhere by then.
     function movePixelOfAddress() {
         const { root, i, j } = findPixelOfAddress() || {};
         const figure = figures.get(root);
         if (!figure) return;
         figure.setValue(figure.probe.about.horizontal, i);
         figure.setValue(figure.probe.about.vertical, j);
-        figure.choosePixelAgain();
+        figure.treatNextPixelAsChosen();
         figure.drawMoving({ request: "show" });
         figure.probe.element.focus({ preventScroll: true });
     }

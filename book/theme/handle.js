@@ -16,7 +16,7 @@
             this.figure = figure;
             this.about = about;
             this.index = index;
-            // In an editable scene, a handle has the name of the object that it moves.
+            // In an editable scene, a handle's label is the name of the object to move.
             this.object = figure.about.colours ? about.label : undefined;
             /** @type {[number, number] | null} */
             this.position = null;

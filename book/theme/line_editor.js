@@ -46,8 +46,8 @@
     /** @type {(event: Event) => EditedLine | null} */
     const lineOf = event => /** @type {Element} */ (event.target).closest("[data-line]");
 
-    // Puts the spaces at the start of a line's second and later rows into elements of their own, so
-    // that the spaces aren't underlined.
+    // A line may have several rows. Puts the indent of each row after the first into an element of
+    // its own, so that the indent isn't underlined.
     /** @param {Element} line */
     function separateIndents(line) {
         for (const { 0: spaces, index } of line.textContent.matchAll(/(?<=\n) +/g)) {
@@ -195,7 +195,7 @@
         getSelection().collapseToEnd();
     }
 
-    // Cancels the large picture that was to be drawn at rest, and removes the mark from the line.
+    // Stops the timer that would draw the large picture. Removes the mark of an error in a line.
     function clearLine() {
         clearTimeout(restTimer);
         mark();

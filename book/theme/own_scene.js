@@ -13,7 +13,7 @@
 
     book.followScene = figure => {
         dragObjects(figure);
-        if (figure.isPreview) followLink(figure);
+        if (figure.isPreview) addLinkAndReset(figure);
         else addTools(figure);
         figure.afterShow(() => markCoveredBalls(figure));
         markCoveredBalls(figure);
@@ -65,7 +65,7 @@
     // The link below a preview opens the scene that the preview shows. Once the reader has changed
     // the scene, there is also a Reset button.
     /** @param {InteractiveFigure} figure */
-    function followLink(figure) {
+    function addLinkAndReset(figure) {
         const { values } = figure;
         const link = figure.controls.querySelector("a");
         const reset = book.make("button", { type: "button", class: "copy", hidden: "" }, "Reset");
@@ -115,8 +115,9 @@
         return keepState;
     }
 
-    // Writes the scene into the page's address each time a gesture ends, and opens the scene that
-    // an address contains. Returns a function that writes the address at once.
+    // Writes the scene into the page's address each time a gesture ends. Opens the scene in the
+    // address now, and again when the address changes. Returns a function that writes the address
+    // at once.
     /** @param {InteractiveFigure} figure @param {() => void} keepState */
     function followAddress(figure, keepState) {
         let restTimer = 0;

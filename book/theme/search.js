@@ -10,14 +10,14 @@
     const MOST_LETTERS = 100, MOST_WORDS = 16, MOST_RESULTS = 30;
     field.maxLength = MOST_LETTERS;
 
-    // Words. Queries and the text of the book are treated alike: a text is split into words, and
-    // each word has one or more terms by which it is found.
+    // Queries and the text of the book are treated alike: a text is split into words, and each word
+    // has one or more terms by which the word is found.
 
     // The letters after an apostrophe, as in "doesn't", don't count as a word, and neither does the ending of a file
     // name such as "ray.rs". So a query for the variable `t` or `Rs` doesn't find these texts.
     const WORD = /(?<![\p{L}\p{N}_]|\p{L}['’]|\.(?=rs\b))[\p{L}\p{N}_]+/gu;
-    // Turns the letters of formulas and raised digits into ordinary characters, so that the queries `b^2` and `hRes`
-    // find b² and ℎ𝑅𝑒𝑠.
+    // Turns mathematical letters and superscript digits into plain characters, and removes `^`. So
+    // the query `hRes` finds ℎ𝑅𝑒𝑠, and `b^2` finds b².
     /** @type {(text: string) => string} */
     const straighten = text => text.normalize("NFKC").replaceAll("^", "");
     /** @type {(text: string) => string[]} */
@@ -92,35 +92,37 @@
     const findSymbols = text => straighten(text).toLowerCase().replace(/\s/g, "").replace(/⋅/g, "·").replace(/−/g, "-");
     const HAS_SYMBOLS = /[^\p{L}\p{N}\s_.,:;?!'’-]/u;
 
-    // These constants determine the score of a section. MiniSearch computes a score from the fields in which a query's
-    // words occur, with the two boosts. Then `find` multiplies this score by further factors. The comment at each
-    // constant names a query from tests/browser/search_queries.txt that needs the constant: without the factor, or with
-    // an exponent of 1, the first result for this query would be wrong.
+    // These constants determine the score of a section. MiniSearch computes a first score from the
+    // fields in which a query's words occur. `TITLE_BOOST` and `PHRASES_BOOST` are the weights of
+    // two of these fields. Then `find` multiplies the score by further factors. The comment at each
+    // constant names a query from tests/browser/search_queries.txt that needs the constant. If you
+    // remove the constant, or set an exponent to 1, the first result for this query is wrong.
 
     // The weight of a word in a section's title. A word in the section's text has the weight 1. Needed for "lambert".
     const TITLE_BOOST = 3;
     // The weight of a word in the phrases by which readers look for the section. Needed for "exercises".
     const PHRASES_BOOST = 2;
-    // The weight of a section on the page of mistakes, if something is wrong with the reader's picture. Needed for "the
-    // light doesn't get weaker".
+    // The weight of a section on the page of mistakes, if the query suggests that something is
+    // wrong with the reader's picture. Needed for "the light doesn't get weaker".
     const MISTAKES_WEIGHT = 3;
-    // The weight of a section on the page of mistakes, if something may be wrong with the reader's picture: the query
-    // has three words or more that aren't stop words, and isn't a question. Needed for "the side away from the lamp is
-    // as bright as the front".
+    // The weight of a section on the page of mistakes, if the query might describe a wrong picture.
+    // Such a query isn't a question, and has three or more words that aren't stop words. Needed for
+    // "the side away from the lamp is as bright as the front".
     const POSSIBLE_MISTAKES_WEIGHT = 1;
     // The weight of a section on a page that only repeats the chapters. Needed for "jitter".
     const REPETITION_WEIGHT = 0.1;
     // The weight of the first section of the book. The weight falls from section to section, to 0.4 for the last
     // section. Needed for "exercises".
     const FIRST_SECTION_WEIGHT = 1.4;
-    // The exponent of a section's share: how much of the query the section has, where each word counts by its weight.
-    // The score of a section with half of the query is divided by eight. Needed for "how do students hand in their
-    // pictures".
+    // The exponent of a section's share. The share is the fraction of the query's words that the
+    // section has, with each word weighted by `weighWord`. If the share is one half, the score is
+    // divided by eight. Needed for "how do students hand in their pictures".
     const SHARE_EXPONENT = 3;
-    // What is added to a factor of 1 if a whole name of the section makes up the whole query. Needed for "color".
+    // If a whole name of the section makes up the whole query, the section's score is multiplied by
+    // 1 plus this bonus. Needed for "color".
     const WHOLE_NAME_BONUS = 99;
-    // The exponent of the name's share of the query, if a whole name of the section makes up only a part of the query.
-    // Needed for "how do I test my code".
+    // If a whole name of the section makes up only a fraction of the query, the bonus is multiplied
+    // by that fraction to the power of this exponent. Needed for "how do I test my code".
     const WHOLE_NAME_EXPONENT = 3;
     // The factor of a section that contains the query symbol by symbol. This applies only to a query with symbols, such
     // as code or a formula. Needed for "Option<f64>".
@@ -141,7 +143,8 @@
 
     /**
      * A match that MiniSearch has found: a section, the terms that match, and the fields in which
-     * each term occurs. `find` adds the share and whether the match is good enough to be shown.
+     * each term occurs. `find` adds `share`, which is how much of the query the section has, and
+     * `isFound`, which says whether the match is good enough to be shown.
      * @typedef {{ id: number, score: number, terms: string[], match: Record<string, string[]>, share: number, isFound: boolean }} Result
      */
 
@@ -172,7 +175,7 @@
                 terms.forEach(term => vocabulary.add(term));
                 return terms;
             },
-            // A query is a list of terms.
+            // Each call of `index.search` passes processed terms, separated by spaces.
             searchOptions: {
                 tokenize: (/** @type {string} */ terms) => terms.split(" "), processTerm: (/** @type {string} */ term) => term,
                 boost: { title: TITLE_BOOST, phrases: PHRASES_BOOST },
@@ -184,9 +187,10 @@
 
     // The search.
 
-    // Words that suggest that a query is about the reader's own picture, or about something wrong with the picture. In
-    // a question, only a few of these words do: "why is the sky not black" isn't about a mistake. But "what if I use D
-    // and not its square root" doesn't count as a question, and may be about one.
+    // Words that suggest that a query is about the reader's own picture, or about something wrong
+    // with the picture. In a question, only a few of these words suggest this: "why is the sky not
+    // black" isn't about a mistake. "What if I use D and not its square root" may be about a
+    // mistake, so `QUESTION` doesn't match "what if".
     const SYMPTOM = /\b(my|yours|wrong|too|no|not|missing|instead|forgot|broken|strange|weird|only|looks?|all|everything|nothing|should be|\w+n['’]t)\b/i;
     const SYMPTOM_IN_QUESTION = /\b(my|wrong|too|instead|broken|strange|weird)\b/i;
     const QUESTION = /^(?!what (happens )?if)(wh\w+|how|can|could|do|does|is|are|may|should|must)\b/i;
@@ -201,17 +205,19 @@
         return count >= 3 ? POSSIBLE_MISTAKES_WEIGHT : REPETITION_WEIGHT;
     }
 
-    // Returns the weight of a section. Chapters rank first. Early sections rank before later sections, because the
-    // early sections explain things first. Pages that only repeat the chapters rank last.
+    // Returns the weight of a section. Pages that only repeat the chapters weigh less than the
+    // chapters. `mistakesWeight` is the weight of the page of mistakes. Early sections weigh more
+    // than later sections, because the early sections explain things first.
     /** @param {Section} section @param {number} place @param {number} mistakesWeight */
     function weigh({ page }, place, mistakesWeight) {
         const weight = page === "mistakes.html" ? mistakesWeight : /^(solutions|problems|teaching)/.test(page) ? REPETITION_WEIGHT : 1;
         return weight * (FIRST_SECTION_WEIGHT - place / sections.length);
     }
 
-    // Returns the terms in the index for a stemmed word of a query. If the index doesn't have the word, we try the word
-    // with two letters swapped, then the words that begin with it. For a long word, we finally try the words that
-    // differ from it in one letter.
+    // Returns the terms in the index for a stemmed word of a query. If the index doesn't have the
+    // word, we try the word with two neighbouring letters swapped. Then we try the terms that begin
+    // with the word. For a long word, we finally try the terms that differ from the word in one
+    // letter.
     /** @param {string} word */
     function findKnownTerms(word) {
         const terms = [word, findFamily(word)].filter(term => vocabulary.has(term));
@@ -224,13 +230,14 @@
         return near?.terms.filter(term => !term.startsWith("~")) ?? [];
     }
 
-    // Returns how much a word says about the subject of a query. The fewer sections have one of the word's terms, the
-    // more the word says.
+    // Returns how much a word says about the subject of a query. A rare word, whose terms occur in
+    // few sections, says more than a common word.
     /** @param {string[]} terms */
     const weighWord = terms => Math.log(RARITY_ADDEND + sections.length / (index.search(terms.join(" ")).length || 1));
 
-    // Finds the sections that have more than half of a query's words, or a name that makes up at least half of the query.
-    // The best come first.
+    // Finds the sections that match a query, the best first. A section matches if it has more than
+    // half of the query's words. A section also matches if one of its names makes up at least half
+    // of the query, and the index knows every word of the query.
     /** @param {string} query */
     function find(query) {
         // A reader may write with a hyphen what is a single word in the book.

@@ -8,8 +8,8 @@ export const folder = resolve(process.env.BOOK ?? join(import.meta.dirname, '../
 
 const read = name => readFileSync(join(folder, name), 'utf8');
 
-// All pages except 404.html, which is made for a server's root, and toc.html, which is for browsers
-// without scripts.
+// All pages except 404.html and toc.html. The links in 404.html work only where the book is
+// published, and toc.html is for browsers without scripts.
 export const pages = readdirSync(folder).filter(name => /\.html$/.test(name) && !/^(404|toc)\./.test(name));
 
 // All pages except the first page and the page for printing, which only repeat other pages.

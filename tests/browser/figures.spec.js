@@ -149,7 +149,8 @@ for (const [name, figure, k] of figures) {
       await expectChange(`a key on ${words}`);
     }
     const controls = await root.locator('.controls [data-parameter] input:visible').all();
-    // If a figure has many controls, most of them are alike, so 12 are enough without THOROUGH=1.
+    // In a figure with many controls, most controls are alike. So test only the first 12 controls,
+    // unless THOROUGH=1 is set.
     for (const control of controls.slice(0, process.env.THOROUGH ? undefined : 12)) {
       await control.focus();
       await page.keyboard.press(await control.evaluate(one => {

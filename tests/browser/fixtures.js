@@ -47,8 +47,8 @@ export async function open(page, address) {
   await page.locator('script[src$="search.js"]').waitFor({ state: 'attached' });
 }
 
-// Opens the folded box around a figure, if there is one, scrolls to the figure, and waits until it
-// is interactive.
+// Scrolls to a figure, and waits until the figure is interactive. If the figure is in a folded box,
+// opens the box first.
 export async function makeReady(figure) {
   await figure.evaluate(one => one.closest('details')?.setAttribute('open', ''));
   await figure.scrollIntoViewIfNeeded();

@@ -10,8 +10,8 @@ const NORMAL = '(p - sphere.centre) / sphere.radius';
 async function prepare(page, home, hash = '') {
   await open(page, `${home}${STEP}.html${hash}`);
   const line = page.locator('[data-line=normal]');
-  // Don't use Playwright's own scrolling, which waits for the element: colouring may replace the
-  // element meanwhile.
+  // Playwright's own scrolling first waits for the element to stop moving. Meanwhile, the syntax
+  // highlighting may replace the element. So call the browser's `scrollIntoView` instead.
   await line.evaluate(one => one.scrollIntoView({ block: 'center' }));
   const listing = page.locator('.with-margin', { has: line });
   await listing.locator('code.hljs').or(listing.locator('canvas')).first().waitFor();

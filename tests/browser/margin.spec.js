@@ -11,8 +11,8 @@ async function openWhole(page, address) {
   await page.locator('main > *').evaluateAll(parts => parts.forEach(part => { part.style.contentVisibility = 'visible'; }));
 }
 
-// Measures the boxes of the text and of each block with its notes, in pixels from the top left
-// corner of the page.
+// Measures the boxes of the page's blocks, notes and tools, in pixels from the top left corner of
+// the page.
 const measure = () => {
   const box = part => {
     const { left, right, top, bottom } = part.getBoundingClientRect();
@@ -55,7 +55,7 @@ function findFaults({ page, edge, blocks, frames, narrow, height }) {
 }
 
 for (const width of SIDE_BY_SIDE) {
-  // Without THOROUGH=1, it's enough to test one of the widths.
+  // Without THOROUGH=1, only one of these widths is tested.
   test(`notes stand beside their blocks at ${width} pixels, and no note covers another note${width === 1440 ? '' : ' @thorough'}`, async ({ page, home }) => {
     test.setTimeout(180_000);
     await page.setViewportSize({ width, height: 900 });
@@ -95,7 +95,7 @@ for (const [width, media] of [[390, 'screen'], [1000, 'screen'], [1440, 'print']
     await openWhole(page, `${home}step02_sphere.html`);
     const { frames } = await page.evaluate(measure);
     for (const { block, notes } of frames) {
-      let end = block.bottom - 30; // A test's name may be beside the block's last line.
+      let end = block.bottom - 30; // A by-hand note may be beside the block's last line.
       for (const { name, top, bottom, right, cut } of notes) {
         expect.soft(top, name).toBeGreaterThan(end);
         expect.soft(right, name).toBeLessThanOrEqual(width);

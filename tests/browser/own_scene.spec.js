@@ -8,7 +8,8 @@ test('each object has its own controls, with their limits and values', async ({ 
   for (const [object, count, upwards] of [['red sphere', 9, '-0.16'], ['ground', 9, '-41.2'], ['cool light', 12, '2.2'], ['camera', 8]]) {
     await page.getByRole('combobox').selectOption(object);
     await expect(sliders, object).toHaveCount(count);
-    // The slider would not have this value if it had the limits of another object.
+    // A slider clamps its value to its limits. With a sphere's limits, the ground's slider would
+    // have another value.
     if (upwards) await expect(sliders.nth(1).locator('[type=range]')).toHaveValue(upwards);
   }
 });
@@ -28,7 +29,7 @@ test('a reader drags and colours a ball, undoes and redoes changes, adds a spher
   await expect(page, 'a drag that pauses is not over').not.toHaveURL(/#scene/);
   await move(250, 200);
   await page.mouse.up();
-  await page.keyboard.press('ControlOrMeta+z'); // The address isn't written yet.
+  await page.keyboard.press('ControlOrMeta+z'); // Undo works even before the address is written.
   await expect(page).not.toHaveURL(/#scene/);
   await press('Redo');
   await expect(page.locator('.handle.covered')).toHaveCount(0);

@@ -22,7 +22,7 @@ test('a link that names a pixel selects this pixel, and Back returns to the link
   await link.click();
   await expect(page.locator('[data-panel] [data-number="step03_nearest:i"]')).toHaveText('195');
   await page.evaluate(() => history.go(-2));
-  // The text below the picture may be a line longer than before.
+  // The link may have moved, but by less than a line of text.
   await expect.poll(async () => Math.abs((await link.boundingBox()).y - place)).toBeLessThan(24);
 });
 
@@ -79,8 +79,9 @@ for (const [name, seen] of Object.entries({
     await open(page, `${home}${name}.html`);
     const preview = page.locator('figure[data-preview]');
     const { x, y, width } = await preview.locator('img').boundingBox();
-    // In "Step 1: the program", the sky fills the upper half of the picture. The figure isn't ready
-    // when it is clicked.
+    // In "Step 1: the program", the sky fills the upper half of the picture, so click on the lower
+    // half. This click comes before the figure is ready. Once the figure is ready, it repeats the
+    // press.
     await page.mouse.click(x + 0.58 * width, y + (name === 'step01_program' ? 0.5 : 0.3) * width);
     await expect(preview.locator('.hint b')).toContainText(seen, { timeout: 20_000 });
     await expect(preview.locator('.hint')).toBeInViewport();
@@ -107,7 +108,7 @@ test('the controls stay in their places when a picture is first touched', async 
   const figure = page.locator('figure[data-live="step05_phong"]');
   await makeReady(figure);
   const places = () => figure.locator('.controls > :is(.switch, .range, .exact, .reset)').evaluateAll(all => {
-    // What is above the figure may still change its height.
+    // The content above the figure may still change in height, so measure from the figure's top.
     const top = all[0].closest('figure').getBoundingClientRect().top;
     return all.filter(one => !one.hidden).map(one => [one.offsetLeft, Math.round(one.getBoundingClientRect().top - top), one.offsetWidth]);
   });

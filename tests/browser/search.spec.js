@@ -139,7 +139,8 @@ test('names from JavaScript are ordinary words in a query, and a query of ten th
   await open(page, `${home}step03_nearest.html`);
   for (const word of ['constructor', '__proto__', 'hasOwnProperty', 'toString']) {
     await search(page, word);
-    // Similar words may be found, but not the words of `function Object() { [native code] }`.
+    // The search may find similar words. But if it looked up `constructor` in a plain object, it
+    // would find the words of the function's text, `function Object() { [native code] }`.
     const found = await page.locator('#search-results em').allTextContents();
     expect(found.filter(text => /^(object|native|code|function)s?$/i.test(text)), word).toEqual([]);
   }

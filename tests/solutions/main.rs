@@ -57,10 +57,12 @@ fn perturb_camera(camera: &Camera, neighbour: fn(f64) -> f64) -> Camera {
     Camera { matrix: DMat3::from_cols_array(&matrix), ..*camera }
 }
 
-/// On a different platform, the tangent may have a different last bit. If a reader writes the terms
-/// of a formula in a different order, a number in the camera's matrix may have a different last
-/// bit, too. We skip the picture `speckled`, because this picture is meant to show rounding errors.
-/// The tangent of its camera is a literal, which is the same on every platform.
+/// The camera's matrix contains a tangent. On a different platform, the last bit of the tangent may
+/// be different. If a reader writes the terms of a formula in a different order, the last bit of a
+/// number in the matrix may be different, too.
+///
+/// We skip the picture `speckled`, because this picture shows rounding errors on purpose. Its
+/// camera has the tangent as a literal, so the tangent is the same on every platform.
 #[test]
 #[ignore = "takes a minute: cargo test -- --include-ignored"]
 fn pictures_do_not_depend_on_the_last_bit_of_the_camera() {

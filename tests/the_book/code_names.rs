@@ -11,8 +11,8 @@ use std::collections::HashSet;
 const FOREIGN_NAMES: [&str; 7] =
     ["break", "f32", "ceil", "INSTA_UPDATE", "unseen", "gluPerspective", "LATE"];
 
-/// Splits a text into words. Each item consists of the text text_before a word, the word, and the text
-/// text_after the word.
+/// Splits a text into words. Each item consists of the text before a word, the word, and the text
+/// after the word.
 fn words_with_surroundings(text: &str) -> impl Iterator<Item = (&str, &str, &str)> {
     let is_part = |c: char| c.is_alphanumeric() || c == '_';
     let words = text.split(move |c| !is_part(c)).filter(|word| !word.is_empty());

@@ -57,8 +57,8 @@ fn run_bash(folder: &Path, command: &str, variables: &[(&str, &str)]) -> Result<
         shell.env("CARGO_TARGET_DIR", target_folder());
         shell.env_remove("CARGO_BUILD_BUILD_DIR").env_remove("CARGO_INCREMENTAL");
     } else {
-        // No other folder uses this optimisation level, so Cargo won't reuse a crate that was built
-        // for a different folder.
+        // The build folder also contains our crates and the crates of other tests, with the same
+        // names. None of these crates has this optimisation level, so Cargo won't reuse them here.
         shell.env("CARGO_PROFILE_DEV_OPT_LEVEL", "2");
     }
     let Output { status, stdout, stderr } = shell.output()?;
@@ -89,8 +89,9 @@ fn type_first_step(folder: &Path) -> Result<()> {
     Ok(())
 }
 
-/// Runs both jobs on a clone of the last commit. `required` lists the pictures that the class
-/// requires. Returns what the jobs print, or an error if the workflow fails.
+/// Runs both jobs on a clone of the student's repository in `folder`. Uncommitted changes aren't in
+/// the clone. `required` lists the pictures that the class requires. Returns what the jobs print,
+/// or an error if the workflow fails.
 fn run_workflow(folder: &Path, required: &str) -> Result<String> {
     let jobs = folder.with_file_name("jobs");
     let _ = fs::remove_dir_all(&jobs);

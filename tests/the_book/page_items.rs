@@ -28,7 +28,8 @@ pub enum PageItem<'a> {
 
 /// A command on a page, with its output as the page shows it.
 pub struct PageCommand {
-    /// The page's name, and an id: that of the command, or the nearest id above the command.
+    /// The page's name and an id, for messages. If the console with the command has no id, this is
+    /// the nearest id above the console.
     pub location: String,
     /// The command line, for a shell.
     pub line: String,

@@ -1,5 +1,5 @@
-//! Algorithms in words, from code fences marked `algorithm`. A line may end with the name, such as
-//! `step 1`, of the step that implements the line.
+//! Algorithms in words, from code fences marked `algorithm`. A line may end with the name of a
+//! step, such as `step 1`. That step implements the line.
 
 use course::escape_html;
 

@@ -44,8 +44,8 @@ fn open_lock(path: &Path) -> Result<File> {
 }
 
 /// Returns the paths to which the old version of a folder may be moved. The paths are beside the
-/// folder. There are several, because an old version can't be removed while a program has it open,
-/// and until then its path is taken.
+/// folder. There are several paths, because some may be taken: an old version can't be removed
+/// while a program has it open.
 fn old_version_paths(folder: &Path) -> impl Iterator<Item = PathBuf> {
     (1..=9).map(|number| folder.with_extension(format!("old{number}")))
 }

@@ -377,9 +377,9 @@ impl<'a> Chapter<'a> {
                 let position = self.copy_until_position_pair(range.start);
                 self.boxes.begin_folded_box(kind, position, html)?
             }
-            // Leave these to the next event, which is the text of this paragraph. There, `value`,
-            // `number` and `our-folder` are filled in, since they are allowed in any text, and
-            // `include`, `live`, `preview` and `rows` are reported as misplaced.
+            // Leave these directives to the next event, which is the text of this paragraph. For
+            // that event, `expand_event` fills in `value`, `number` and `our-folder`, which are
+            // allowed in any text, and reports the other directives as misplaced.
             DirectiveKind::Value
             | DirectiveKind::Number
             | DirectiveKind::OurFolder

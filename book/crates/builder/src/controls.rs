@@ -141,8 +141,8 @@ impl Control<'_> {
         let name = escape_html(format!("{symbol} {label}").trim());
         let slider =
             format!("<input type=\"range\" {range} value=\"{default}\" aria-label=\"{name}\">");
-        // book/theme/figure.js turns this number field into a text field. The HTML of the field has
-        // no limits and no step, because the module knows the limits and the step.
+        // This number field has no limits and no step, because book/theme/figure.js turns it into a
+        // text field, and gets the limits and the step from the module `live`.
         let number = format!("<input type=\"number\" aria-label=\"{name}\" value=\"{default}\">");
         let label_element = label_html(symbol, label);
         let (class, content) = match self.parameter.kind {

@@ -80,7 +80,8 @@ struct Listing<'a> {
     new_lines: Vec<usize>,
     /// The places in the code that a reader may edit, as `places_list` lists them.
     places: Option<String>,
-    /// The editable scene whose program replaces the code once a reader changes the scene.
+    /// The name of an editable scene. Once a reader changes this scene, the page shows the scene's
+    /// program in place of the code.
     scene: Option<&'a str>,
 }
 

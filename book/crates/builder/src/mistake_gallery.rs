@@ -11,8 +11,8 @@ use course::{Mistake, MistakePicture, MistakePresentation, Step, escape_html, mi
 
 /// Returns the Markdown for a directive such as `{{#mistakes step01_rays}}`. The gallery begins
 /// with a contact sheet, which has one small picture for each mistake that the book shows in that
-/// step. A section for each of these mistakes follows. A section consists of three panels with
-/// pictures, the diff of the code, and the reason why the code is wrong.
+/// step. A section for each of these mistakes follows. In each section, three pictures come first,
+/// then the diff of the code, then the reason why the code is wrong.
 pub fn gallery_markdown(
     step_name: &str,
     sources: &Sources,

@@ -55,8 +55,8 @@ struct ProbedPicture {
     name: &'static str,
     /// The start of the picture's paragraph in the chapter.
     start: usize,
-    /// The HTML after the panel, which closes the wrapper around the picture and the panel. This
-    /// HTML is empty if the picture has notes, because the wrapper then ends after the last note.
+    /// The HTML that closes the wrapper around the picture and the panel. This HTML is empty if the
+    /// picture has notes, because the wrapper then ends after the last note.
     wrapper_end_html: String,
 }
 
@@ -73,8 +73,8 @@ impl Boxes {
         wrapper_html
     }
 
-    /// Opens the pixel panel of the picture `picture_name`. Returns an error unless this picture is
-    /// the last of those whose panels are still missing.
+    /// Opens the pixel panel of the picture `picture_name`. This picture must be the last one that
+    /// still lacks its panel, and no box may be open. Otherwise, returns an error.
     pub fn begin_pixel_panel(&mut self, picture_name: &str, start: usize) -> ChapterResult<String> {
         let (html, wrapper_end_html) =
             match self.awaiting_panel.pop_if(|picture| picture.name == picture_name) {
@@ -89,9 +89,9 @@ impl Boxes {
         html
     }
 
-    /// Opens a folded box, or the answer to the open problem. Returns `html`, the expansion of the
-    /// box's first line, or an error if no box can begin here. If the box is the answer to a
-    /// problem, the returned HTML begins with the form in which the reader enters a number.
+    /// Opens a folded box, or the answer to the open problem. `html` is the expansion of the box's
+    /// first line. Returns `html`, or an error if no box can begin here. If the box is the answer
+    /// to a problem, the returned HTML begins with the form in which the reader enters a number.
     pub fn begin_folded_box(
         &mut self,
         kind: BoxKind,
@@ -132,8 +132,8 @@ impl Boxes {
         if self.open.is_none() { Ok(()) } else { Err(ChapterError::ProblemInBox) }
     }
 
-    /// Opens a problem, whose first line goes from `start` to `text_start`. `number_and_answer` is
-    /// None if the first line is an error.
+    /// Opens a problem. Its first line begins at `start`, and its text begins at `text_start`.
+    /// `number_and_answer` is None if the first line contains an error.
     pub fn begin_problem(
         &mut self,
         number_and_answer: Option<NumberAndAnswer>,

@@ -65,7 +65,7 @@ pub struct Element {
     pub tag: String,
     /// The names and values of its attributes.
     pub attributes: Vec<(String, String)>,
-    /// The indices, among the page's elements, of the elements inside this element.
+    /// The elements inside this element, as a range of indices into [`Page::elements`].
     descendants: Range<usize>,
     /// The byte range of this element's text within the page's text.
     pub text: Range<usize>,

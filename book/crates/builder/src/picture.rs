@@ -23,8 +23,7 @@ pub enum Interaction<'a> {
     /// handles and controls of the figure.
     Live(&'a Figure),
     /// The picture becomes interactive when a reader points at it or focuses it. The picture has no
-    /// controls. For example, the preview of step 5 only says what the ray of a pixel hits, and
-    /// which colour the pixel has.
+    /// controls. If the figure has a probe, the picture has no other handle.
     Preview(&'a Figure),
 }
 
@@ -38,8 +37,8 @@ pub enum LoadingTime {
 }
 
 impl LoadingTime {
-    /// Returns when the next picture on a page is loaded. Sets `self` to `InView` for all later
-    /// pictures.
+    /// Returns the loading time of the next picture on a page. Sets `self` to `InView` for all
+    /// later pictures.
     pub fn take_for_next_picture(&mut self) -> Self {
         mem::replace(self, Self::InView)
     }

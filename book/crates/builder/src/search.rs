@@ -120,7 +120,7 @@ fn alt_texts_of_links_to<'a>(page: &'a Page, id: &str) -> Vec<&'a str> {
 struct Section {
     id: String,
     title: String,
-    /// The text of the section that can be searched, except the text of the listings.
+    /// The searchable text of the section, without the text of the listings.
     prose: String,
     /// The text of the listings in the section.
     listings: String,

@@ -15,8 +15,10 @@ use std::path::{Path, PathBuf};
 /// chapters. In the finished book, it is beside the pages.
 pub const GENERATED: &str = "generated/";
 
-/// The widths, in device pixels, of the cover's versions for small screens. A phone shows the cover
-/// about 350 CSS pixels wide, and a CSS pixel is 2 or 3 device pixels wide.
+/// The widths, in device pixels, of the cover's versions for small screens. On a phone, the cover
+/// is 43 CSS pixels narrower than the window. So 720 is enough for a window with 390 CSS pixels of
+/// 2 device pixels each, and 960 is enough for a window with 360 CSS pixels of 3 device pixels
+/// each.
 const COVER_COLUMNS: [u32; 2] = [720, 960];
 
 /// Each pixel of the cover has this number of sub-pixels in each direction.

@@ -41,8 +41,8 @@ fn each_directive_is_listed_in_lib_and_expanded_in_one_of_each() {
         }
         let is_expanded =
             ["}}", " "].iter().any(|end| example.contains(&format!("{{{{#{name}{end}")));
-        // `our-folder` needs no example, since the caller of `expand_chapter` says what this
-        // directive becomes.
+        // `our-folder` needs no example, since `expand_chapter` only replaces this directive with
+        // the text that the caller passes.
         if kind != DirectiveKind::OurFolder && !is_expanded {
             faults.push(format!("tests/one_of_each.md has no {{{{#{name}}}}}."));
         }
@@ -58,7 +58,8 @@ fn each_fault_is_reported_with_its_line() {
     insta::assert_snapshot!(faults.replace(&not_found, "[not found]"));
 }
 
-/// The files are for slides, and not all programs for slides support CSS variables and functions.
+/// These SVG files are for use on slides. Not every presentation program supports CSS variables and
+/// CSS functions.
 #[test]
 fn svg_files_of_drawings_have_no_css_variables_or_functions() {
     let files: Vec<_> = SOURCES.generated.texts_with_suffix(".svg").collect();

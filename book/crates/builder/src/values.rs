@@ -38,8 +38,8 @@ pub struct Values {
     readouts: Mutex<BTreeMap<FigureAndPixel, Readouts>>,
 }
 
-/// The name of a figure, and the pixel where the figure's probe is, such as `470,120`. The pixel is
-/// None if the figure has its default parameters.
+/// The name of a figure, and the pixel where the figure's probe is, such as `470,120`. None as the
+/// pixel means that all parameters of the figure have their default values.
 type FigureAndPixel = (String, Option<String>);
 
 impl Values {
@@ -53,9 +53,9 @@ impl Values {
         let text = text.ok_or_else(|| ChapterError::UnknownValue(name.to_owned()))?;
         Ok(match notation {
             Notation::Prose => text,
-            // The crate `figures` formats readouts for prose only, because every number that a page
-            // updates is in prose. In code, a hyphen takes the place of the sign −. It is safe to
-            // replace every − in a readout, because each stands before a digit.
+            // The crate `figures` formats readouts only for prose, because a page never updates
+            // numbers in code. Code needs a hyphen as the minus sign. In a readout, every − is the
+            // sign of a number, so all of them can be replaced.
             Notation::Code => text.replace('−', "-"),
         })
     }

@@ -47,7 +47,8 @@ impl Verdict {
     }
 }
 
-/// A change that reproduces the reader's picture exactly, pixel for pixel.
+/// A change to a right program or to its scene. With the change, the program draws exactly the
+/// reader's picture.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Cause {
     /// A mistake from the list.
@@ -113,10 +114,11 @@ pub struct ComparedPictures {
     pub ours: RgbImage,
 }
 
-/// Reasons to doubt that a picture differs from ours only because of other options.
+/// Reasons to doubt that the reader typed other options, although a right program would draw the
+/// reader's picture with those options.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct OptionDoubts {
-    /// The listed mistakes that produce the same picture with the default options. Leaves out
+    /// The listed mistakes that produce the reader's picture with the default options, except for
     /// mistakes in the code that reads the options.
     pub mistakes: Vec<&'static Mistake>,
     /// Whether the whole picture is one colour. Many options and mistakes produce such a picture.

@@ -7,19 +7,21 @@ use course::Step;
 use std::collections::BTreeSet;
 use std::iter::zip;
 
-/// A sentence blames the conversion to bytes only if at least this many byte values have changed.
-/// If fewer have changed, a wrong colour could be the reason.
+/// A sentence blames the conversion to bytes only if at least this many different byte values are
+/// wrong. If fewer values are wrong, the cause could be a wrong colour.
 const MIN_CHANGED_VALUES: usize = 16;
 
 /// The maximum number of bytes listed in one sentence.
 const MAX_BYTES: usize = 3;
 
-/// The number of pixels that we test first for a curve. We test all pixels only if these pixels lie
-/// on a curve.
-const FIRST_PIXELS: usize = 500;
+/// The number of pixels that we test first. If your bytes in these pixels aren't a monotonic
+/// function of our intensities, we don't test the other pixels.
+const PIXELS_TESTED_FIRST: usize = 500;
 
-/// Returns sentences about what every wrong pixel may be a copy of: one of our channels in all
-/// three bytes, or the colour of a neighbouring pixel in our picture.
+/// Returns a sentence for each of these facts that is true of all wrong pixels:
+///
+/// - The pixel has one of our channels in all three bytes.
+/// - The pixel has the colour of a neighbouring pixel in our picture.
 pub(crate) fn copied_channel_or_neighbour_sentences(comparison: &Comparison) -> Vec<String> {
     let mut sentences = vec![];
     let mut add_if = |words: &str, holds: &dyn Fn(&Pixel) -> bool| {
@@ -57,8 +59,8 @@ pub(crate) fn one_colour_sentence(wrong: &[Pixel]) -> Option<String> {
 /// Describes your bytes as a function of ours. Returns None in two cases:
 ///
 /// - There is no such function, since equal bytes of ours became different bytes of yours.
-/// - A wrong colour could be the reason, since few byte values have changed, and only the sky or
-///   only the objects differ.
+/// - Few byte values have changed, and only the sky or only the objects differ. Then the cause may
+///   be a wrong colour instead of a wrong conversion to bytes.
 pub(crate) fn byte_depends_on_our_byte_sentence(
     comparison: &Comparison,
     scene: &StepScene,
@@ -111,22 +113,23 @@ pub(crate) fn byte_depends_on_our_intensity_sentence(
     if only_sky_or_only_objects_differ(comparison, scene) {
         return None;
     }
-    // For most pictures, a few pixels are enough to rule out a curve.
-    sorted_curve_if_monotonic(comparison.pixels().take(FIRST_PIXELS), scene)?;
-    let mut curve = sorted_curve_if_monotonic(comparison.pixels(), scene)?;
-    curve.retain(|(_, yours, ours)| yours != ours);
-    let points = [1, 3, 5].map(|sixths| curve[sixths * curve.len() / 6]);
+    // For most pictures, a few pixels are enough to rule out such a function.
+    sorted_points_if_monotonic(comparison.pixels().take(PIXELS_TESTED_FIRST), scene)?;
+    let mut changed_points = sorted_points_if_monotonic(comparison.pixels(), scene)?;
+    changed_points.retain(|(_, yours, ours)| yours != ours);
+    let examples = [1, 3, 5].map(|sixths| changed_points[sixths * changed_points.len() / 6]);
     let mut clauses =
-        points.map(|(i, yours, ours)| format!("{i:.3} becomes {yours} (ours: {ours})")).to_vec();
+        examples.map(|(i, yours, ours)| format!("{i:.3} becomes {yours} (ours: {ours})")).to_vec();
     clauses.dedup();
-    let values: BTreeSet<u32> = curve.iter().map(|(_, yours, _)| u32::from(*yours)).collect();
+    let values: BTreeSet<u32> =
+        changed_points.iter().map(|(_, yours, _)| u32::from(*yours)).collect();
     let file = advice_on_source_files_to_compare(values.len(), scene);
     Some(format!("Each byte depends only on our intensity: {}.{file}", clauses.join(", ")))
 }
 
 /// Returns all intensities of these pixels in ascending order, each with your byte and our byte.
 /// Returns None unless your bytes are a monotonic function of the intensities.
-fn sorted_curve_if_monotonic<'a>(
+fn sorted_points_if_monotonic<'a>(
     pixels: impl Iterator<Item = &'a Pixel>,
     scene: &StepScene,
 ) -> Option<Vec<(f64, u8, u8)>> {
@@ -137,10 +140,10 @@ fn sorted_curve_if_monotonic<'a>(
         })
         .collect();
     points.sort_unstable_by(|a, b| a.0.total_cmp(&b.0));
-    let is_curve = |is_ordered: fn(u8, u8) -> bool| {
+    let is_monotonic = |is_ordered: fn(u8, u8) -> bool| {
         points.is_sorted_by(|(i, a, _), (j, b, _)| if i == j { a == b } else { is_ordered(*a, *b) })
     };
-    (is_curve(|a, b| a <= b) || is_curve(|a, b| a >= b)).then_some(points)
+    (is_monotonic(|a, b| a <= b) || is_monotonic(|a, b| a >= b)).then_some(points)
 }
 
 #[cfg(test)]

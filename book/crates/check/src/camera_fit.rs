@@ -139,13 +139,15 @@ fn candidate_values_from_sky(
     if bounds.contains(&ours) {
         return vec![];
     }
-    // Each candidate is a start plus a round multiple of a unit. The three pairs of start and unit
+    // A candidate is a start plus a round multiple of a unit. The three pairs of start and unit
     // give these candidates:
     //
     // - a round number
     // - a round multiple of our number
-    // - for V_0, our number shifted by a round multiple of the step from one pixel to the next (the
-    //   x of D_u or the y of D_v); for D_u and D_v, once more a round multiple of our number
+    // - for V_0, our number plus a round multiple of the distance between neighbouring pixels,
+    //   which is the x of D_u or the y of D_v
+    //
+    // For D_u and D_v, the third pair gives a round multiple of our number again.
     let pixel_steps = [matrix.x_axis.x, matrix.y_axis.y];
     let pixel_step = if number.column == 2 { pixel_steps[number.row] } else { ours };
     let starts_and_units = [(0.0, 1.0), (0.0, ours), (ours, pixel_step)];
@@ -156,7 +158,8 @@ fn candidate_values_from_sky(
             .map(|(start, unit)| start + ((middle - start) / unit * scale).round() / scale * unit)
     });
     let candidates = round_values.chain([middle]).filter(|value| bounds.contains(value));
-    // Round the candidates, because the answer reports rounded numbers.
+    // The answer prints all digits of a candidate. Round the candidates to 12 decimals to remove
+    // the digits that come from floating-point errors.
     candidates.map(|value| (value * 1e12).round() / 1e12).collect()
 }
 

@@ -1,12 +1,12 @@
 //! Finds numbers in the scene that a reader may have mistyped.
 
 use crate::comparison::{Budget, Comparison};
-use crate::number_format::{format_as_typed, replace_hyphens_with_minus};
+use crate::number_format::{format_with_hyphens, replace_hyphens_with_minus};
 use crate::step_scene::StepScene;
 use course::{OwnScene, Owner, QUANTITIES, Quantity, TypedRange};
 
-/// Finds changes to a single number in the scene, and describes the changes that reproduce the
-/// reader's picture exactly.
+/// Tries changes to a single number in the scene. Returns a description of each change that
+/// reproduces the reader's picture exactly.
 pub(crate) fn find_changed_numbers(
     comparison: &Comparison,
     scene: &StepScene,
@@ -71,7 +71,7 @@ pub(crate) fn format_quantity(
 ) -> String {
     let numbers: Vec<_> =
         quantity.scalars.iter().map(|scalar| scalar.get(own_scene, owner_index)).collect();
-    format_as_typed(&numbers)
+    format_with_hyphens(&numbers)
 }
 
 #[cfg(test)]

@@ -145,7 +145,8 @@ mod tests {
         assert_eq!(items, [3, 1, 2, 4]);
         assert!(!budget.holds_for_all(&mut items, 10, |item| *item != 3));
         assert_eq!(items, [3, 1, 2, 4]);
-        // The first call tested three items, and the second call one item, so 60 are left.
+        // The first call tested three items, and the second call tested one. Each test cost 10, so
+        // a budget of 60 is left.
         assert!(budget.holds_for_all(&mut items, 15, |item| *item < 5));
         assert!(budget.is_spent());
     }

@@ -20,8 +20,8 @@ const MAX_CAUSES: usize = 3;
 const MAX_DIFF_LINES: usize = 4;
 
 /// The file whose code reads the program's options. A mistake in this code, such as a wrong
-/// default, has the same effect as typing other options. So such a mistake isn't a reason for
-/// [`OptionDoubts`].
+/// default, has the same effect as typing other options. So [`OptionDoubts`] leaves out the
+/// mistakes in this file.
 const OPTIONS_FILE: &str = "steps/step01_rays/src/program.rs";
 
 /// A line for answers about exercises. We have no scenes for exercises, so we can't try out
@@ -99,8 +99,8 @@ pub(crate) fn explain(yours: &ReaderPicture, target: &Target) -> Explanation {
     });
     let described_causes = describe_causes(&causes, options.as_ref());
     let causes_line = whole_picture.as_ref().and(described_causes.first().cloned());
-    // The line about the whole picture comes first, because that difference is plain to see. The
-    // causes come next, and the lines about wrong pixels after them.
+    // The line about the whole picture comes first, because it describes a difference that is plain
+    // to see, such as a picture that is upside down. The causes come before the wrong pixels.
     let mut lines = whole_picture
         .into_iter()
         .chain(described_causes)

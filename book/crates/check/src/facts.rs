@@ -18,8 +18,8 @@ const MAX_FACTS: usize = 3;
 /// too many sentences are true by chance.
 const MIN_PIXELS: usize = 16;
 
-/// The minimum number of different colours that the wrong pixels have in our picture, for a
-/// sentence about every wrong pixel.
+/// The minimum number of different colours for a sentence about every wrong pixel. The colours are
+/// those of our picture at the positions of the wrong pixels.
 const MIN_COLOURS: usize = 4;
 
 /// Returns sentences that are true of the wrong pixels, strongest first. If we have a scene, the
@@ -27,18 +27,19 @@ const MIN_COLOURS: usize = 4;
 pub(crate) fn find_facts(comparison: &Comparison) -> Vec<String> {
     let scene = comparison.target.scene.as_ref();
     let regions = scene.map(|scene| count_pixels_per_region(comparison, scene));
-    let are_enough_evidence = are_enough_evidence(&comparison.wrong);
-    let scene_if_enough_evidence = scene.filter(|_| are_enough_evidence);
-    // Pixels may be white because of too much light, and not because they are undrawn. So if a curve
-    // fits the bytes, we don't look for undrawn pixels.
-    let curve = scene_if_enough_evidence.and_then(|scene| {
+    let has_enough_evidence = are_enough_evidence(&comparison.wrong);
+    let scene_if_enough_evidence = scene.filter(|_| has_enough_evidence);
+    // White pixels may be undrawn, but too much light also makes pixels white. So if your bytes are
+    // a function of our intensities or bytes, we don't look for undrawn pixels.
+    let byte_function_sentence = scene_if_enough_evidence.and_then(|scene| {
         byte_depends_on_our_intensity_sentence(comparison, scene)
             .or_else(|| byte_depends_on_our_byte_sentence(comparison, scene))
     });
-    let undrawn = if curve.is_none() { undrawn_sentence(comparison) } else { None };
-    let mut facts: Vec<_> = undrawn.into_iter().collect();
+    let undrawn_pixels_sentence =
+        if byte_function_sentence.is_none() { undrawn_sentence(comparison) } else { None };
+    let mut facts: Vec<_> = undrawn_pixels_sentence.into_iter().collect();
     if facts.is_empty() {
-        facts.extend(curve);
+        facts.extend(byte_function_sentence);
         facts.extend(regions.as_deref().and_then(colours_from_behind_sentence));
         if let Some(scene) = scene_if_enough_evidence {
             if all_exceed_byte_range(&comparison.wrong, scene) {
@@ -46,7 +47,7 @@ pub(crate) fn find_facts(comparison: &Comparison) -> Vec<String> {
             }
             facts.extend(missing_terms_sentence(&comparison.wrong, scene));
         }
-        if are_enough_evidence {
+        if has_enough_evidence {
             facts.extend(one_colour_sentence(&comparison.wrong));
             facts.extend(copied_channel_or_neighbour_sentences(comparison));
         }
@@ -56,8 +57,8 @@ pub(crate) fn find_facts(comparison: &Comparison) -> Vec<String> {
     facts
 }
 
-/// Whether a sentence that is true of every wrong pixel is unlikely to be true by chance: there are
-/// enough wrong pixels, and they have enough different colours in our picture.
+/// Whether there are enough wrong pixels, and our picture has enough different colours at these
+/// pixels. If so, a sentence that is true of every wrong pixel is unlikely to be true by chance.
 fn are_enough_evidence(wrong: &[Pixel]) -> bool {
     let colours: BTreeSet<[u8; 3]> = wrong.iter().map(|pixel| pixel.ours).collect();
     wrong.len() >= MIN_PIXELS && colours.len() >= MIN_COLOURS
@@ -68,8 +69,9 @@ fn all_exceed_byte_range(pixels: &[Pixel], scene: &StepScene) -> bool {
     pixels.iter().all(|pixel| scene.colour(&pixel.ray).max_element() > 1.0)
 }
 
-/// Names the terms that are missing from every wrong pixel: the smallest set of terms such that our
-/// sum without these terms gives your colours. Returns None if there is no such set.
+/// Names the terms that are missing from every wrong pixel. At each of these pixels, our sum
+/// without the missing terms gives your colour. If several sets of terms fit, names a set with the
+/// fewest terms. Returns None if no set fits.
 fn missing_terms_sentence(wrong: &[Pixel], scene: &StepScene) -> Option<String> {
     let light_terms = |term| scene.light_names.map(|light| format!("the {term} term of {light}"));
     let ambient = ["the ambient term".to_owned()];
@@ -80,7 +82,8 @@ fn missing_terms_sentence(wrong: &[Pixel], scene: &StepScene) -> Option<String> 
         _ => return None,
     };
     let is_left_out = |choice: usize, k: usize| choice >> k & 1 == 1;
-    // No choice leaves out all terms, because then every wrong pixel would be black.
+    // No choice leaves out all terms. The sentence about such a choice would only mean that every
+    // wrong pixel is black.
     let choices = 1..(1_usize << count) - 1;
     let mut smallest_first = (1..count as u32)
         .flat_map(|terms| choices.clone().filter(move |choice| choice.count_ones() == terms));

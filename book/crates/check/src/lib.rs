@@ -13,15 +13,16 @@
 //! 2. A right program draws the picture **with other options** (`other_options`). Then no code is
 //!    blamed.
 //! 3. It is a **different picture** of the course.
-//! 4. It is our picture, but **turned, cropped or enlarged**, or with two channels exchanged. Or it
+//! 4. It is our picture, but **turned, cropped or enlarged**, or with two channels swapped. Or it
 //!    is **one colour** in all pixels (`transformed`).
 //! 5. **Causes**: all changes we know of that reproduce every byte of the picture. A cause is a
 //!    listed mistake (`reader_picture`), a single changed number in the scene (`changed_number`),
 //!    or a different camera (`camera_fit`). A change that we don't know of may reproduce the
 //!    picture, too.
 //! 6. If nothing else explains the picture, **facts** about the wrong pixels (`facts`). The facts
-//!    say whether wrong pixels look as if never drawn (`undrawn`), what their bytes have in common
-//!    (`byte_facts`), and which objects the pixels belong to (`regions`).
+//!    say whether wrong pixels look as if the program never drew them (`undrawn`), what the bytes
+//!    of the wrong pixels have in common (`byte_facts`), and which objects the pixels belong to
+//!    (`regions`).
 //!
 //! An answer about a wrong picture of the right size also shows one wrong pixel (`wrong_pixel`).
 //! Unless the picture belongs to an exercise, the answer also names the `by_hand` tests to run, and

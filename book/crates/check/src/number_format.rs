@@ -15,8 +15,9 @@ pub(crate) fn format_vector_four_decimals(vector: DVec3) -> String {
     format!("({})", vector.to_array().map(format_four_decimals).join(", "))
 }
 
-/// Formats numbers as they are typed in Rust: one number as `-2.5`, several as `(1, -2.5, 0)`.
-pub(crate) fn format_as_typed(numbers: &[f64]) -> String {
+/// Formats numbers with a hyphen as the minus sign: one number as `-2.5`, several as
+/// `(1, -2.5, 0)`.
+pub(crate) fn format_with_hyphens(numbers: &[f64]) -> String {
     let texts: Vec<_> = numbers.iter().map(f64::to_string).collect();
     let list = texts.join(", ");
     if numbers.len() == 1 { list } else { format!("({list})") }
@@ -46,8 +47,8 @@ mod tests {
 
     #[test]
     fn typed_numbers_have_parentheses_unless_there_is_only_one() {
-        assert_eq!(format_as_typed(&[-2.5]), "-2.5");
-        assert_eq!(format_as_typed(&[1.0, -2.5, 0.0]), "(1, -2.5, 0)");
-        assert_eq!(replace_hyphens_with_minus(&format_as_typed(&[-1.0])), "−1");
+        assert_eq!(format_with_hyphens(&[-2.5]), "-2.5");
+        assert_eq!(format_with_hyphens(&[1.0, -2.5, 0.0]), "(1, -2.5, 0)");
+        assert_eq!(replace_hyphens_with_minus(&format_with_hyphens(&[-1.0])), "−1");
     }
 }

@@ -164,8 +164,9 @@ fn angles_with_at_most_one_decimal() -> impl Iterator<Item = f64> {
     iter::once(FOV_DEGREES).chain((1..180).map(f64::from)).chain(tenths)
 }
 
-/// Returns angles with two and three decimals that fit the sky in the upper half of a picture's
-/// border. If only a narrow range of angles fits, angles with four decimals follow.
+/// Returns angles with two decimals, then angles with three. The angles fit the sky in the border
+/// pixels of the picture's upper half. If only a narrow range of angles fits, angles with four
+/// decimals follow.
 fn fine_angles_that_fit_border(yours: &RgbImage) -> impl Iterator<Item = f64> {
     let (columns, rows) = yours.dimensions();
     let side = f64::from(columns - 1);
@@ -173,8 +174,8 @@ fn fine_angles_that_fit_border(yours: &RgbImage) -> impl Iterator<Item = f64> {
     let upper_sides = (0..rows / 2).flat_map(|j| [(0, j), (columns - 1, j)]);
     for (i, j) in (0..columns).map(|i| (i, 0)).chain(upper_sides) {
         let colour = yours.get_pixel(i, j);
-        // The variable `tan` stands for tan(θ/2). In the sky, V is (x tan, y tan, −1), so blue is
-        // 255.
+        // In the sky, V is (x tan(θ/2), y tan(θ/2), −1), and the colour is 0.7 + 0.3 (Vx, Vy, −Vz).
+        // So blue is 255. The closure `tan` computes tan(θ/2) from a red or green byte.
         let x = 2.0 * f64::from(i) / side - 1.0;
         let y = (f64::from(rows - 1) - 2.0 * f64::from(j)) / side;
         for (factor, byte) in [(x, colour[0]), (y, colour[1])] {

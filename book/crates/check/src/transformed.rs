@@ -61,9 +61,9 @@ pub(crate) fn uniform_colour(picture: &RgbImage) -> Option<[u8; 3]> {
     (bytes[3..] == bytes[..bytes.len() - 3]).then_some(first)
 }
 
-/// Returns a clause, such as `upside down`, for each turn that makes our picture equal to yours,
-/// perhaps with two channels exchanged. If several orders of the channels fit, the clause names the
-/// first of them.
+/// Returns a clause, such as `upside down`, for each turn that makes our picture equal to yours. If
+/// the pictures are equal only with two channels exchanged, the clause names these channels, too.
+/// If several orders of the channels fit, the first of `CHANNEL_ORDERS` counts.
 fn turned_or_swapped_clauses(yours: &RgbImage, ours: &RgbImage) -> Vec<String> {
     if yours.pixels().len() != ours.pixels().len() {
         return vec![];

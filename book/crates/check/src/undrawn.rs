@@ -73,8 +73,8 @@ enum ShapeCause {
     Loop,
     /// An editor put a border around a finished picture.
     Editor,
-    /// Unclear, because the shape consists of several rectangles. The rectangles may be undrawn.
-    /// But if pixels of other colours are wrong, too, the rectangles may also be dark objects.
+    /// Unclear. The shape consists of several rectangles, which may be undrawn or may be dark
+    /// objects. The answer calls them undrawn only if all wrong pixels are black.
     Unknown,
 }
 
@@ -174,11 +174,11 @@ impl Mask {
 
     /// Finds bars on two or more sides of the picture. Bars on all four sides are called a frame.
     fn find_border(&self) -> Option<Shape> {
-        let kept: Vec<_> =
+        let outside_pixels: Vec<_> =
             self.pixels().filter(|(_, _, membership)| *membership == Membership::Outside).collect();
-        let first_column = kept.iter().map(|(i, _, _)| *i).min()?;
-        let last_column = kept.iter().map(|(i, _, _)| *i).max()?;
-        let (first_row, last_row) = (kept.first()?.1, kept.last()?.1);
+        let first_column = outside_pixels.iter().map(|(i, _, _)| *i).min()?;
+        let last_column = outside_pixels.iter().map(|(i, _, _)| *i).max()?;
+        let (first_row, last_row) = (outside_pixels.first()?.1, outside_pixels.last()?.1);
         let is_border = |i: u32, j: u32| {
             !((first_column..=last_column).contains(&i) && (first_row..=last_row).contains(&j))
         };
@@ -189,15 +189,15 @@ impl Mask {
             ("below", self.rows - 1 - last_row),
         ];
         let bars: Vec<_> = sides.into_iter().filter(|(_, width)| *width > 0).collect();
-        // A single bar isn't a border but a rectangle, which a loop leaves undrawn if the loop ends
-        // too soon. A border also has to surround enough pixels.
-        if bars.len() < 2 || kept.len() < MIN_PIXELS || !self.fits_shape(is_border) {
+        // A single bar doesn't count as a border, because a loop that ends too soon leaves such a
+        // bar undrawn. A border also has to surround enough pixels.
+        if bars.len() < 2 || outside_pixels.len() < MIN_PIXELS || !self.fits_shape(is_border) {
             return None;
         }
         let shape = if bars.len() == 4 { "a frame" } else { "bars" };
         let widths: Vec<_> = bars.iter().map(|(side, width)| format!("{width} {side}")).collect();
-        // A loop may leave out just the first and the last row or column. A border from an editor
-        // is wider than one pixel.
+        // If every bar is one pixel wide, a loop probably left out the outermost rows or columns.
+        // Editors add wider borders.
         let is_loop = bars.iter().all(|(_, width)| *width == 1);
         let cause = if is_loop { ShapeCause::Loop } else { ShapeCause::Editor };
         let simile = if is_loop { "" } else { ", as editors add them" };

@@ -1,6 +1,7 @@
-//! Locks answers about small pictures, since checking a small picture takes little time. For many
-//! sentences about wrong pixels, one picture just meets the sentence's condition, and another
-//! picture just misses it.
+//! Snapshot tests of the answers about small pictures. Checking a small picture takes little time.
+//! In an answer, many sentences about wrong pixels have a condition, such as a minimum number of
+//! pixels. For many of these sentences, one picture just meets the condition, and another picture
+//! just misses the condition.
 
 use crate::{assert_locked, encode, format_answer};
 use check::check_png;

@@ -17,7 +17,7 @@ pub struct Figure {
     pub values_from: Option<&'static str>,
     /// The values that the reader can set.
     pub parameters: Vec<Parameter>,
-    /// The marks that the reader can drag.
+    /// The handles, which the reader can drag.
     pub handles: Vec<Handle>,
     /// Formats the readouts for the given parameter values. Readouts are texts elsewhere on the
     /// page.
@@ -113,7 +113,7 @@ impl Figure {
         }
     }
 
-    /// The default value of each parameter, as in the printed book.
+    /// The default value of each parameter.
     pub fn default_values(&self) -> ParameterValues {
         self.parameters.iter().map(|parameter| (parameter.id, parameter.default)).collect()
     }

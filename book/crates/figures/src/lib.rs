@@ -2,12 +2,12 @@
 //!
 //! A [`Figure`] shows a *drawing*, which has lines and labels, or a *picture*, which has pixels. A
 //! function computes the drawing or picture from the values of the figure's named *parameters*. For
-//! a drawing, the builder calls this function with the default values, and prints the result. When
-//! a reader moves a *handle* or a control, the page calls the same function, compiled for the
-//! browser: the page sends a [`FigureRequest`] and gets a [`Reply`].
+//! a drawing, the builder calls this function with the default values, and writes the result into
+//! the page. When a reader moves a *handle* or a control, the page calls the same function,
+//! compiled for the browser: the page sends a [`FigureRequest`] and gets a [`Reply`].
 //!
-//! *Readouts* are texts that depend on the values, and are elsewhere on the page. The *trace* of a
-//! pixel consists of all numbers from the pixel's ray to its bytes. A *probe* is a handle that
+//! *Readouts* are texts elsewhere on the page. These texts depend on the values, too. The *trace*
+//! of a pixel consists of all numbers from the pixel's ray to its bytes. A *probe* is a handle that
 //! selects the pixel.
 //!
 //! This crate doesn't read the book's chapters. However, a drawing's caption is written like a

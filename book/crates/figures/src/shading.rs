@@ -23,8 +23,8 @@ const STEPS: u32 = 6;
 pub struct Shading {
     /// The gradient's id. It must be unique on a page.
     pub id: &'static str,
-    /// The brightest point of the ball, which is nearest to the light. Its coordinates are measured
-    /// from the ball's centre to the right and upwards, in radii.
+    /// The brightest point of the ball: the point nearest to the light. Its coordinates are
+    /// measured from the ball's centre to the right and upwards, in radii.
     brightest: DVec2,
     /// The colours at equal steps along the line from the brightest point to the opposite side of
     /// the outline.

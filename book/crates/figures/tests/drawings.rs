@@ -202,8 +202,8 @@ fn ids_in_a_drawing_begin_with_the_name_of_its_figure() {
     }
 }
 
-/// Lists the figure's handles, one per line. A line has the position that `values` give the handle.
-/// Then it has the new values of the handle's two parameters after a drag to a fixed position.
+/// Lists the figure's handles, one per line. Each line contains the handle's position for `values`,
+/// and the values of the handle's two parameters after the handle is dragged to a fixed position.
 fn describe_handles_before_and_after_drag(figure: &Figure, values: &ParameterValues) -> String {
     let lines = figure.handles.iter().map(|handle| {
         let position = (handle.locate)(values).map(DVec2::round);

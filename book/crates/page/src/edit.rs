@@ -136,9 +136,9 @@ fn utf16_range(text: &str, bytes: &Range<usize>) -> Range<usize> {
 /// Says that a picture is right, or which listed mistake draws the same pixels. Returns None for
 /// any other picture.
 ///
-/// - A picture may be right although the lines change something, because the picture can't show the
-///   change. If the place of each line has the note [`PlaceNote::OnlyMovesHit`], the sentence
-///   describes the effect of the lines on later steps.
+/// - If the picture is right, the lines may still change something that the picture can't show. If
+///   the place of each line has the note [`PlaceNote::OnlyMovesHit`], the sentence describes the
+///   effect of the lines on later steps, unless drawing these steps takes too many operations.
 /// - A mistake is considered only if a single line is edited, and if the mistake changes the code
 ///   at the place of this line.
 /// - A picture of a single colour isn't compared with the mistakes.
@@ -172,17 +172,21 @@ fn describe_known_picture(edit: &Edit, picture: &RgbImage) -> Option<String> {
     Some(format!("A known mistake gives the same pixels: {}.", mistake.title))
 }
 
-/// Draws some pixels of each step after step 2. Says which of these steps is the first whose pixels
-/// show the effect of the lines, or which would stop because of the lines, or that no pixel shows
-/// the effect. The picture of step 2 can't show the effect, because the picture depends only on
-/// whether a ray meets the ball, not on the t of the hit. Returns None if drawing the later steps
-/// takes too many operations.
+/// Describes the effect of the lines on the steps after step 2. The picture of step 2 can't show
+/// this effect, because the picture depends only on whether a ray meets the ball, not on the t of
+/// the hit.
+///
+/// Some pixels of each later step are drawn, once with the reader's lines and once with the book's.
+/// The answer names the first step whose pixels differ, or that would stop because of the lines. If
+/// there is no such step, the answer says that no pixel differs. Returns None if a step takes too
+/// many operations.
 fn describe_effect_on_later_steps(edit: &Edit) -> Option<String> {
     let lines = edit.compile_lines().ok()?;
-    let blind = "This picture can't show what you changed here: it shows whether a ray meets the \
+    let cannot_show_sentence = "This picture can't show what you changed here: it shows whether a ray meets the \
                  ball, not at which t.";
-    // A later step may evaluate the lines once for each of its nine balls, so a pixel here may take
-    // eight times as many operations as a pixel of a full-size picture.
+    // A ray may evaluate the lines once in step 2, but nine times in a later step: once for each of
+    // the nine balls. So the limit allows about eight times as many operations per pixel as
+    // MAX_OPERATIONS allows for a picture of full size.
     let max_operations = 8 * MAX_OPERATIONS / u64::from(PIXEL_SPACING * PIXEL_SPACING);
     let draw = |step: Step, lines: &[CompiledLine]| {
         draw_some_pixels(step, lines, PIXEL_SPACING, FULL_WIDTH, max_operations)
@@ -193,14 +197,20 @@ fn describe_effect_on_later_steps(edit: &Edit) -> Option<String> {
             Ok(picture) => picture,
             Err(LineRefusal { refusal, .. }) => match refusal.fault {
                 Fault::Assertion(sentence) => {
-                    return Some(format!("{blind} Step {number} would stop: {sentence}."));
+                    return Some(format!(
+                        "{cannot_show_sentence} Step {number} would stop: {sentence}."
+                    ));
                 }
-                Fault::NoResult => return Some(format!("{blind} Step {number} would stop.")),
+                Fault::NoResult => {
+                    return Some(format!("{cannot_show_sentence} Step {number} would stop."));
+                }
                 _ => return None,
             },
         };
         if picture != draw(step, &[]).ok()? {
-            return Some(format!("{blind} The picture of step {number} would show it."));
+            return Some(format!(
+                "{cannot_show_sentence} The picture of step {number} would show it."
+            ));
         }
     }
     let count = FULL_WIDTH.div_ceil(PIXEL_SPACING) * (FULL_WIDTH * 9 / 16).div_ceil(PIXEL_SPACING);

@@ -1,9 +1,10 @@
 //! The WebAssembly modules that the book's pages call.
 //!
-//! `live` draws the figures, `check` examines a picture that a reader drops onto a page, and
-//! `expressions` draws pictures with lines of code that a reader has edited. Each module is a
-//! feature of this package, and has a file of its own, because few readers need `check` and
-//! `expressions`.
+//! `live` draws the figures. `check` examines a picture that a reader drops onto a page.
+//! `expressions` draws the picture of a step after a reader has edited lines of the step's code.
+//!
+//! Each module is this package, compiled with one of its features. The modules are separate files,
+//! because few readers need `check` and `expressions`.
 
 #[cfg(feature = "check")]
 mod check;

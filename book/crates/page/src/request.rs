@@ -12,7 +12,8 @@ use thiserror::Error;
 /// A module knows only the requests that it replies to, so that its code stays small.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Request {
-    /// Loads the lists of mistakes from the file. The lists aren't compiled into any module.
+    /// Loads the lists of mistakes from the file that comes with the request. The lists aren't
+    /// compiled into any module.
     Mistakes,
     /// Checks the file that comes with the request.
     #[cfg(feature = "check")]

@@ -100,8 +100,8 @@ struct Comparison {
 }
 
 impl Comparison {
-    /// Compares the names of an object's fields with the names in the object's type. Also compares
-    /// the objects in those fields that are lists of objects.
+    /// Compares the names of an object's fields with the names in the object's type. If a field is
+    /// a list of objects, compares each object in the list with its type, too.
     fn compare(&mut self, type_name: &'static str, object: &[(String, Json)]) {
         let fields = find_interface_fields(type_name).expect(type_name);
         self.types.insert(type_name);

@@ -23,8 +23,8 @@ fn main() -> ExitCode {
     ExitCode::FAILURE
 }
 
-/// Draws the mistakes whose code or right pictures have changed, and compiles the modules for the
-/// book's pages if the modules' sources have changed.
+/// Draws each mistake that lacks an up-to-date row in the table, or one of its small pictures.
+/// Compiles the modules for the book's pages if the modules' sources have changed.
 fn regenerate() -> XtaskResult<()> {
     if let Some(argument) = env::args_os().nth(1) {
         return Err(XtaskError::Argument(argument.display().to_string()));

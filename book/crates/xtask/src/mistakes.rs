@@ -1,6 +1,6 @@
 //! Keeps the table and the small pictures of the mistakes up to date. A mistake is wrong code that
-//! readers may write in a step. To *draw* a mistake is to draw the pictures of the steps with this
-//! wrong code.
+//! readers may write in a step. To *draw* a mistake is to draw the picture of each step that this
+//! wrong code affects.
 
 use crate::error::{XtaskError, XtaskResult};
 use crate::mistakes_program::{self, DrawnPictures, title_and_file, unindented_text_with_mistake};
@@ -22,7 +22,7 @@ const BATCH_SIZE: usize = 60;
 
 /// All mistakes, and what is known about their pictures.
 pub struct DrawnMistakes {
-    /// The name and the hash of each right picture, which is drawn without mistakes.
+    /// The name and the hash of each right picture, that is, each picture without mistakes.
     right_pictures: Vec<(&'static str, u64)>,
     /// All mistakes, each with the result of [`redraw_key`].
     keys_and_mistakes: Vec<(u32, &'static Mistake)>,

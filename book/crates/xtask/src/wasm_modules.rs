@@ -68,10 +68,10 @@ fn compile_module(name: &'static str) -> XtaskResult<Vec<u8>> {
     fs::read(&path).map_err(XtaskError::of_file(&path))
 }
 
-/// Finds a folder of this machine whose path occurs in a module: the workspace, the target folder
-/// or Cargo's home. A module that contains the path of a local folder would differ from machine to
-/// machine. Paths of the standard library's sources are allowed, because the compiler's version
-/// determines them.
+/// Looks for the paths of the workspace, the target folder and Cargo's home in a module. Returns a
+/// folder whose path the module contains. These paths differ from machine to machine, so a module
+/// with such a path would differ, too. Paths of the standard library's sources are allowed, because
+/// they depend on the compiler's version and not on the machine.
 fn find_local_folder(module: &[u8]) -> Option<PathBuf> {
     let folders = [workspace(), target_folder(), cargo_home()];
     folders.into_iter().find(|folder| {

@@ -41,7 +41,8 @@ impl Feedback {
 }
 
 /// Judges a student's file. `earlier` contains the reports on the student's earlier pictures. If
-/// one of these pictures has a cause in common with the file, the sentence says so.
+/// the file and one of these pictures share a cause, the feedback's sentence names the cause and
+/// the picture.
 pub(crate) fn judge(result: &Result<Answer, CheckError>, earlier: &[PictureReport]) -> Feedback {
     let feedback = match result {
         Err(error) => Feedback {

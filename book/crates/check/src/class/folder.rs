@@ -1,6 +1,6 @@
-//! Finds the students' folders in a class's folder, and the files in a student's folder. Doesn't
-//! follow links there. Limits the number of entries and the depth of nesting. Also finds a reader's
-//! own pictures, which may be links.
+//! Finds the students' folders in a class's folder, and the files in a student's folder. Both
+//! searches skip links and limit the number of entries. The search for files also limits the depth
+//! of nesting. Also finds a reader's own pictures. That search accepts links to pictures.
 
 use crate::class::skipped_paths::{SkipReason, SkippedPaths};
 use crate::escape_for_terminal;

@@ -153,7 +153,8 @@ impl OwnPicturesReport {
         ])
     }
 
-    /// The number of counted pictures that have at least one file, and whose files are all right.
+    /// The number of counted pictures that are right. A picture is right if it has at least one
+    /// file, and every one of its files is right.
     fn right_count(&self) -> usize {
         let is_right =
             |file: &FileReport| file.feedback.verdict == FileVerdict::Compared(Verdict::Right);

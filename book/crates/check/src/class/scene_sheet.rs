@@ -1,4 +1,4 @@
-//! The sheet for a name. The sheet lists the numbers of the scene that is generated from this name,
+//! A worksheet about the scene that is generated from a name. The sheet lists the scene's numbers,
 //! so that a student can type these numbers in Rust. The sheet also sets problems about the scene,
 //! to be solved on paper.
 
@@ -84,7 +84,7 @@ pub fn format_sheet(name: &str, secret: Option<&str>) -> String {
 
 /// Writes the sheets for a class to a folder that doesn't exist yet. There is one file for each
 /// name, and one file with all sheets, for printing. `with_answers` adds a file with the answers.
-/// If any file can't be written, no files are written. Returns lines that list the files.
+/// If any file can't be written, the folder isn't created. Returns lines that list the files.
 pub fn write_sheets(
     names: &[String],
     secret: Option<&str>,

@@ -43,7 +43,7 @@ pub(crate) struct FileReport {
     pub feedback: Feedback,
 }
 
-/// A fact about a student's folder that a person should know.
+/// A fact about a student's folder that the teacher should know.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Note {
     NothingHandedIn,

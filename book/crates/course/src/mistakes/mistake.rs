@@ -15,8 +15,8 @@
 //!
 //! If the book shows a mistake, the mistake's block has four more kinds of lines:
 //!
-//! - `!`: the name of a picture, and the name of the step that draws the picture if this isn't the
-//!   file's step but a later step; a block may have several such lines,
+//! - `!`: the name of a picture, then the name of the step that draws the picture; the step's name
+//!   is left out if the step is the text file's own step; a block may have several such lines,
 //! - `?`: why the code is wrong,
 //! - `/`: the section to read again,
 //! - `"`: what the picture shows.

@@ -47,9 +47,9 @@ pub struct RightPicture<'a> {
 pub struct TableRow {
     /// A hash of everything that the mistake's pictures depended on when the pictures were drawn.
     pub key: u32,
-    /// One hash for each step, from the mistake's step on. It is the hash of the picture that this
-    /// step draws with the mistake, or None if the picture is right in spite of the mistake or can't
-    /// be drawn.
+    /// An entry for the mistake's step and for each later step: the hash of the picture that the
+    /// step draws with the mistake. The entry is None if the picture is right in spite of the
+    /// mistake, or can't be drawn.
     pub hashes: Vec<Option<u64>>,
 }
 
@@ -121,8 +121,8 @@ impl Display for MistakeTable<'_> {
     }
 }
 
-/// Returns the checked-in table, which is parsed only once. In the module that a page loads, the
-/// table is empty until the page has provided the files.
+/// Returns the checked-in table, which is parsed only once. In WebAssembly, the table is empty
+/// until `provide_mistake_files` has been called.
 ///
 /// # Panics
 ///
@@ -183,8 +183,8 @@ pub fn find_mistakes_with_hash(hash: u64) -> Vec<(&'static Mistake, &'static str
     mistakes_and_names
 }
 
-/// Returns the names of all right pictures: those of the steps, then those of the examples in the
-/// order of their steps.
+/// Returns the names of all right pictures. The five steps' pictures come first. The examples'
+/// pictures follow, in the order of the steps.
 pub fn names_of_right_pictures() -> Vec<&'static str> {
     hashes_of_right_pictures().map(|(name, _)| name).collect()
 }

@@ -23,13 +23,13 @@ pub struct OwnScene {
     /// The objects and lights.
     pub scene: Scene<Material, Light>,
     /// Whether rays are also traced from the surfaces, to draw shadows and reflections.
-    pub has_mirrors: bool,
+    pub has_shadows_and_mirrors: bool,
     /// The number `k` of each object: the fraction of the object's colour that is a reflection.
     pub mirror_parts: Vec<f64>,
 }
 
 impl OwnScene {
-    /// Combines a scene with the camera of the five steps, without shadows or mirrors.
+    /// Combines a scene with the camera of the five steps. Shadows and mirrors are off.
     pub fn new(scene: Scene<Material, Light>) -> Self {
         Self {
             fov_degrees: FOV_DEGREES,
@@ -38,7 +38,7 @@ impl OwnScene {
             roll_degrees: 0.0,
             mirror_parts: vec![0.0; scene.objects.len()],
             scene,
-            has_mirrors: false,
+            has_shadows_and_mirrors: false,
         }
     }
 
@@ -53,7 +53,7 @@ impl OwnScene {
     /// times.
     pub fn picture(&self, columns: u32) -> RgbImage {
         let camera = self.camera(columns);
-        if !self.has_mirrors {
+        if !self.has_shadows_and_mirrors {
             return render(&camera, 1, |ray| colour(&self.scene, ray));
         }
         let objects = zip(&self.scene.objects, &self.mirror_parts).map(|(object, &k)| {

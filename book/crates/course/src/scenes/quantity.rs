@@ -127,8 +127,8 @@ enum Property {
 
 impl Scalar {
     /// The smallest and the largest value that a page offers for this number. `owner_index` is the
-    /// index of the object or light that has the number. For any other owner, the index has no
-    /// effect.
+    /// index of the object or light that has the number. If the number belongs to the camera or to
+    /// the whole scene, the index has no effect.
     pub fn range_for_owner(&self, owner_index: usize) -> [f64; 2] {
         self.ground_range.filter(|_| owner_index == GROUND).unwrap_or(self.range)
     }

@@ -1,8 +1,9 @@
 //! Turns the source of a crate into the source of a module.
 
-/// Rewrites a source file of a crate so that it works as part of a module of another crate. `path`
-/// is that module's path, such as `steps::step03_nearest`. An imported crate becomes a sibling
-/// module if its name starts with one of `siblings`. All other imports stay as they are.
+/// Rewrites a source file of a crate, so that the crate can be a module of another crate. `path` is
+/// the path of the module, such as `steps::step03_nearest`. If the name of an imported crate starts
+/// with one of `siblings`, the import refers to a sibling module instead. Imports of all other
+/// crates stay as they are.
 ///
 /// Replaces only `crate::` and `use SIBLING`. The steps don't refer to themselves or to each other
 /// in any other way.

@@ -1,5 +1,6 @@
-//! The five steps, the camera that takes their pictures, the discriminant of a sphere and a ray,
-//! and the steps' examples as a library.
+//! The five steps, the camera for their pictures, and the steps' examples as modules. Two more
+//! functions compute what no step returns: the discriminant of a sphere and a ray, and the colour
+//! without step 5's test of n·l.
 
 mod camera;
 mod colour_without_highlight_gate;

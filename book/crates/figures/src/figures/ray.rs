@@ -62,7 +62,7 @@ fn ray(values: &ParameterValues) -> Ray {
     Ray { start, direction }
 }
 
-/// The t of the point whose distance from S the reader sets.
+/// The t of the point whose distance from S is the parameter `DISTANCE`.
 fn t_at_distance(values: &ParameterValues) -> f64 {
     values[DISTANCE] / ray(values).direction.length()
 }

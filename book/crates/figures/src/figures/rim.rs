@@ -1,5 +1,5 @@
-//! The highlight that the formula on the lecture's slide draws where the light is behind the
-//! surface.
+//! A false highlight: the formula on the lecture's slide draws a highlight even where the light is
+//! behind the surface.
 
 use super::*;
 use step05_phong::reflect;

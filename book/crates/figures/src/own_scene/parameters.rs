@@ -110,7 +110,7 @@ pub fn own_scene(values: &ParameterValues) -> OwnScene {
 /// The scene with these values, including the objects and lights that are switched off.
 pub fn complete_scene(values: &ParameterValues) -> OwnScene {
     let mut own_scene = largest_scene();
-    own_scene.has_mirrors = values.is_on(MIRRORS);
+    own_scene.has_shadows_and_mirrors = values.is_on(MIRRORS);
     for (target, parameter) in &*PARAMETERS {
         if let Target::Scalar(scalar, k) = *target {
             scalar.set(&mut own_scene, k, values[parameter.id]);

@@ -10,8 +10,8 @@ use step05_phong::{Attenuation, Light, Material, Object};
 /// The example `own_scene`, which draws the scene of step 5.
 const EXAMPLE: &str = include_str!("../../../../../steps/step05_phong/examples/own_scene.rs");
 
-/// The solution of the exercise `look_at`. If the reader has moved the camera, the program contains
-/// the body of the function `look_at`.
+/// The solution of the exercise `look_at`. If the reader has moved or turned the camera, the
+/// formatted program contains the body of this solution's function `look_at`.
 const LOOK_AT: &str = include_str!("../../../../../steps/step01_rays/examples/look_at.rs");
 
 /// Formats the program that draws the scene.
@@ -19,7 +19,7 @@ pub fn format_program(own_scene: &OwnScene) -> String {
     let mut program = EXAMPLE.trim_end().to_owned();
     replace_body(&mut program, "my_scene", &scene_body(own_scene));
     replace_body(&mut program, "my_camera", &camera_body(own_scene));
-    if own_scene.has_mirrors {
+    if own_scene.has_shadows_and_mirrors {
         replace_body(&mut program, "picture", &picture_body_with_mirrors(own_scene));
     }
     program

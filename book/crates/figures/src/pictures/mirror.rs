@@ -74,7 +74,7 @@ impl MirrorPicture {
 
     /// Returns the table's row for `ray`: the object that the ray hits, and the values of `t`, `k`
     /// and `I`. Also returns the reflected ray, or None if nothing reflects `ray`.
-    fn trace_hit(&self, ray: &Ray, depth: u32) -> ([String; 4], Option<Ray>) {
+    fn trace_ray(&self, ray: &Ray, depth: u32) -> ([String; 4], Option<Ray>) {
         let objects = &self.scene.objects;
         let intensity = format_vector(self.colour(ray, depth));
         let Some(point) = visible_point(objects, ray) else {
@@ -89,8 +89,8 @@ impl MirrorPicture {
     }
 }
 
-/// The path of the probe's ray, with one row of readouts for each hit. The readouts of unused rows
-/// are empty.
+/// The readouts of the probe: its pixel, what the pixel shows, and the path of its ray. The path
+/// has one row for each hit, and a row for the sky if the path ends there. Unused rows are empty.
 fn readouts(values: &ParameterValues) -> Readouts {
     let picture = MirrorPicture::new(values);
     let ray = probe_ray(values);
@@ -102,10 +102,11 @@ fn readouts(values: &ParameterValues) -> Readouts {
         ("bytes", format_vector(bytes.map(f64::from))),
     ]);
     let mut next_ray = Some(ray);
-    for k in 0..=MAX_DEPTH {
-        let hit = next_ray.map(|ray| picture.trace_hit(&ray, picture.depth - k));
-        let (row, mirrored_ray) = hit.unwrap_or_default();
-        let names = ["object", "t", "k", "I"].map(|column| row_readout_name(column, k as usize));
+    for index in 0..=MAX_DEPTH {
+        let row_and_ray = next_ray.map(|ray| picture.trace_ray(&ray, picture.depth - index));
+        let (row, mirrored_ray) = row_and_ray.unwrap_or_default();
+        let names =
+            ["object", "t", "k", "I"].map(|column| row_readout_name(column, index as usize));
         readouts.extend(names.into_iter().zip(row));
         next_ray = mirrored_ray;
     }

@@ -45,7 +45,8 @@ pub fn figure() -> Figure {
     }
 }
 
-/// The scene of step 5 with the terms and materials that the reader has set.
+/// The scene of step 5 with the reader's materials, and without the terms that the reader has
+/// switched off.
 fn changed_scene(values: &ParameterValues) -> Scene<Material, Light> {
     let mut scene = step05_phong::scene();
     scene.ambient_light *= values[AMBIENT];

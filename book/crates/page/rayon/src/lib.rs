@@ -2,8 +2,8 @@
 //!
 //! A page has only one thread, so the real rayon would draw on one thread, too. But rayon's code
 //! for sharing rows among threads would be compiled once for each picture, and would make up a
-//! fifth of `check.wasm`. If the steps or `check` use any other part of rayon, the modules don't
-//! compile.
+//! fifth of `check.wasm`. The WebAssembly modules don't compile if the steps or `check` use any
+//! other part of rayon.
 
 use std::convert::Infallible;
 use std::slice;

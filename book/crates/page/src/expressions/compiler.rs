@@ -103,7 +103,7 @@ impl Compiler<'_> {
         }
         let unknown = self.refuse_unknown_chain(syntax);
         if let Some(refusal) =
-            unknown.or_else(|| self.refuse_unknown_function_of_unknown_chain(syntax))
+            unknown.or_else(|| self.refuse_unknown_function_with_unknown_argument(syntax))
         {
             return Err(refusal);
         }
@@ -159,7 +159,7 @@ impl Compiler<'_> {
             return refuse(name_range, Fault::NoResult);
         }
         let keeps_ambiguous_type =
-            matches!(kind, OperationKind::Sign | OperationKind::Array | OperationKind::Index);
+            matches!(kind, OperationKind::Operator | OperationKind::Array | OperationKind::Index);
         let has_ambiguous_type =
             keeps_ambiguous_type && operands.iter().all(|operand| operand.code.has_ambiguous_type);
         let constants: Option<Vec<_>> =

@@ -125,21 +125,21 @@ macro_rules! math_constants {
 }
 
 macro_rules! operators {
-    ($($sign:tt)*) => {
+    ($($operator:tt)*) => {
         functions! { $(
-            Sign stringify!($sign), (a: F64, b: F64) -> F64 = a $sign b;
-            Sign stringify!($sign), (a: Vector, b: Vector) -> Vector = a $sign b;
-            Sign stringify!($sign), (a: Vector, b: F64) -> Vector = a $sign b;
-            Sign stringify!($sign), (a: F64, b: Vector) -> Vector = a $sign b;
+            Operator stringify!($operator), (a: F64, b: F64) -> F64 = a $operator b;
+            Operator stringify!($operator), (a: Vector, b: Vector) -> Vector = a $operator b;
+            Operator stringify!($operator), (a: Vector, b: F64) -> Vector = a $operator b;
+            Operator stringify!($operator), (a: F64, b: Vector) -> Vector = a $operator b;
         )* }
     };
 }
 
 macro_rules! comparisons {
-    ($($sign:tt)*) => {
+    ($($operator:tt)*) => {
         functions! { $(
-            Sign stringify!($sign), (a: F64, b: F64) -> Bool = a $sign b;
-            Sign stringify!($sign), (a: I32, b: I32) -> Bool = a $sign b;
+            Operator stringify!($operator), (a: F64, b: F64) -> Bool = a $operator b;
+            Operator stringify!($operator), (a: I32, b: I32) -> Bool = a $operator b;
         )* }
     };
 }
@@ -167,12 +167,12 @@ static FUNCTIONS: &[&[Function]] = &[
     operators!(+ - * / %),
     comparisons!(== != < > <= >=),
     functions! {
-        Sign "&&", (a: Bool, b: Bool) -> Bool = a && b;
-        Sign "||", (a: Bool, b: Bool) -> Bool = a || b;
-        Sign "!", (a: Bool) -> Bool = !a;
-        Sign "!", (a: I32) -> I32 = !a;
-        Sign "-", (a: F64) -> F64 = -a;
-        Sign "-", (a: Vector) -> Vector = -a;
+        Operator "&&", (a: Bool, b: Bool) -> Bool = a && b;
+        Operator "||", (a: Bool, b: Bool) -> Bool = a || b;
+        Operator "!", (a: Bool) -> Bool = !a;
+        Operator "!", (a: I32) -> I32 = !a;
+        Operator "-", (a: F64) -> F64 = -a;
+        Operator "-", (a: Vector) -> Vector = -a;
         Method "rem_euclid", (a: F64, b: F64) -> F64 = a.rem_euclid(b);
         Cast "f64", (a: F64) -> F64 = a;
         Cast "f64", (a: I32) -> F64 = a.into();
@@ -197,22 +197,22 @@ static FUNCTIONS: &[&[Function]] = &[
         Field "x", (a: Vector) -> F64 = a.x;
         Field "y", (a: Vector) -> F64 = a.y;
         Field "z", (a: Vector) -> F64 = a.z;
-        Sign "==", (a: Vector, b: Vector) -> Bool = a == b;
-        Sign "!=", (a: Vector, b: Vector) -> Bool = a != b;
-        Sign "==", (a: Bool, b: Bool) -> Bool = a == b;
-        Sign "!=", (a: Bool, b: Bool) -> Bool = a != b;
+        Operator "==", (a: Vector, b: Vector) -> Bool = a == b;
+        Operator "!=", (a: Vector, b: Vector) -> Bool = a != b;
+        Operator "==", (a: Bool, b: Bool) -> Bool = a == b;
+        Operator "!=", (a: Bool, b: Bool) -> Bool = a != b;
     },
     math_constants!(PI TAU E FRAC_PI_2 FRAC_PI_3 FRAC_PI_4 FRAC_PI_6 FRAC_PI_8 FRAC_1_PI FRAC_2_PI
         SQRT_2 FRAC_1_SQRT_2 LN_2 LN_10),
     // These functions have no result where a debug build of the reader's program would panic. The
     // integer operators panic on overflow and on division by 0. `clamp` panics unless `min <= max`.
     partial_functions! {
-        Sign "+", (a: I32, b: I32) -> I32 = a.checked_add(b);
-        Sign "-", (a: I32, b: I32) -> I32 = a.checked_sub(b);
-        Sign "*", (a: I32, b: I32) -> I32 = a.checked_mul(b);
-        Sign "/", (a: I32, b: I32) -> I32 = a.checked_div(b);
-        Sign "%", (a: I32, b: I32) -> I32 = a.checked_rem(b);
-        Sign "-", (a: I32) -> I32 = a.checked_neg();
+        Operator "+", (a: I32, b: I32) -> I32 = a.checked_add(b);
+        Operator "-", (a: I32, b: I32) -> I32 = a.checked_sub(b);
+        Operator "*", (a: I32, b: I32) -> I32 = a.checked_mul(b);
+        Operator "/", (a: I32, b: I32) -> I32 = a.checked_div(b);
+        Operator "%", (a: I32, b: I32) -> I32 = a.checked_rem(b);
+        Operator "-", (a: I32) -> I32 = a.checked_neg();
         Method "rem_euclid", (a: I32, b: I32) -> I32 = a.checked_rem_euclid(b);
         Method "clamp", (a: F64, min: F64, max: F64) -> F64
             = (min <= max).then(|| a.clamp(min, max));
@@ -222,7 +222,7 @@ static FUNCTIONS: &[&[Function]] = &[
 #[cfg(test)]
 mod tests {
     use super::*;
-    use OperationKind::{Cast, Field, Index, Method, Path, Sign};
+    use OperationKind::{Cast, Field, Index, Method, Operator, Path};
     use ValueType::{F64, I32, Vector};
 
     #[test]
@@ -230,9 +230,9 @@ mod tests {
         let result = |kind, name, types: &[_]| {
             find_function(kind, name, types).map(|function| function.result)
         };
-        assert_eq!(result(Sign, "*", &[F64, Vector]), Some(Vector));
-        assert_eq!(result(Sign, "*", &[I32, I32]), Some(I32));
-        assert_eq!(result(Sign, "*", &[I32, F64]), None);
+        assert_eq!(result(Operator, "*", &[F64, Vector]), Some(Vector));
+        assert_eq!(result(Operator, "*", &[I32, I32]), Some(I32));
+        assert_eq!(result(Operator, "*", &[I32, F64]), None);
         assert_eq!(result(Path, "DVec3::ZERO", &[]), Some(Vector));
         assert_eq!(result(Cast, "i32", &[F64]), Some(I32));
         assert_eq!(result(Index, "0", &[Vector]), Some(F64));
@@ -255,7 +255,7 @@ mod tests {
     #[test]
     fn function_has_no_result_where_the_program_would_stop() {
         let apply = |name, a, b| {
-            let function = find_function(Sign, name, &[I32, I32]).expect("a function");
+            let function = find_function(Operator, name, &[I32, I32]).expect("a function");
             (function.apply)(&[Value::I32(a), Value::I32(b)])
         };
         assert_eq!(apply("+", i32::MAX, 0), Some(Value::I32(i32::MAX)));

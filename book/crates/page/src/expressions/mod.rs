@@ -2,11 +2,12 @@
 //! steps' source.
 //!
 //! A *place* is an expression in the steps that a reader may edit. `places.txt` lists all places.
-//! The build script copies the steps' source. In the copy, each place first asks for the value of
-//! the reader's line (`value_of_line`). `syn` parses the line. The *compiler* looks up the line's
-//! operators, functions and methods in a table of *functions*. Each function in the table has the
-//! same types as in Rust. The compiler combines the functions that the line uses into a single
-//! closure, which runs for each pixel.
+//! The build script copies the steps' source. In the copy, each place calls `value_of_line` for the
+//! value of the reader's line. If the reader hasn't edited the place, the place evaluates the
+//! book's code. `syn` parses the line. The *compiler* looks up the line's operators, functions and
+//! methods in a table of *functions*. Each function in the table has the same types as in Rust. The
+//! compiler combines the functions that the line uses into a single closure, which runs for each
+//! pixel.
 //!
 //! A line is refused if Rust would refuse it, if it would make the reader's program panic while
 //! drawing, or if it needs more *operations* than a page has time for. A refusal consists of the

@@ -18,7 +18,7 @@ pub enum OperationKind {
     /// A field of the operand.
     Field,
     /// An operator in front of one operand or between two operands.
-    Sign,
+    Operator,
     /// A cast with `as`.
     Cast,
     /// An array, whose elements are the operands.
@@ -65,12 +65,12 @@ pub fn split_operation(syntax: &Expr) -> Result<Operation<'_>, Refusal> {
                 return refuse(name_range, Fault::Dereference);
             }
             let operands = vec![&*unary.expr];
-            (OperationKind::Sign, write_without_spaces(&unary.op), operands, name_range)
+            (OperationKind::Operator, write_without_spaces(&unary.op), operands, name_range)
         }
         Expr::Binary(binary) => {
             let operands = vec![&*binary.left, &*binary.right];
             let name = write_without_spaces(&binary.op);
-            (OperationKind::Sign, name, operands, range_of(&binary.op))
+            (OperationKind::Operator, name, operands, range_of(&binary.op))
         }
         Expr::Cast(cast) => {
             let name = write_without_spaces(&cast.ty);

@@ -34,7 +34,7 @@ pub enum Fault {
         "A page can't read {0}. Rust has a * b, a.dot(b), a / b, a - b, .powi(2), .sqrt(), \
          <=, std::f64::consts::PI."
     )]
-    UnreadableSign(char),
+    UnreadableCharacter(char),
     #[error("This comment would hide what follows in the listing's row: write /* … */.")]
     LineComment,
     #[error("Rust reads <- as one sign: put a space after the <.")]

@@ -45,9 +45,9 @@ impl Call<'_> {
     }
 }
 
-/// Explains that a part should have the type `wanted`. If the part is a whole number and should be
-/// a number or a vector, the explanation says what to write instead. Any other explanation begins
-/// with `subject`.
+/// Explains that a part should have the type `wanted`. If the part is an i32 and `wanted` is f64 or
+/// a vector, the explanation begins with what to write instead. Any other explanation begins with
+/// `subject`.
 pub fn explain_mismatch(subject: &str, part: &Part, text: &str, wanted: ValueType) -> Fault {
     use ValueType::{Array, Bool, F64, I32, Vector};
     let (actual, text) = (part.code.value_type, &text[part.range.clone()]);
@@ -142,7 +142,7 @@ impl Compiler<'_> {
         match call.kind {
             OperationKind::Path => self.explain_refused_path(call),
             OperationKind::Method | OperationKind::Field => self.explain_misused_member(call),
-            OperationKind::Sign => self.explain_refused_sign(call),
+            OperationKind::Operator => self.explain_refused_operator(call),
             OperationKind::Cast => refusal(Fault::Cast),
             OperationKind::Index => refusal(Fault::Index),
             OperationKind::Array if call.operands.len() != 3 => refusal(Fault::ArrayLength),
@@ -161,8 +161,8 @@ impl Compiler<'_> {
                 wanted_types.iter().position(|value_type| *value_type == ValueType::Vector);
             wanted_types[..=vector.unwrap_or(0)].rotate_right(1);
         }
-        // The type of a receiver can't be wrong, because this type has the field or method in the
-        // call.
+        // Skip a receiver. `explain_refused_call` has checked that the receiver's type has a field
+        // or method with this name.
         let first = usize::from(call.kind.is_member());
         for value_type in wanted_types {
             for (index, operand) in call.operands.iter().enumerate().skip(first).rev() {
@@ -206,7 +206,7 @@ impl Compiler<'_> {
     }
 
     /// Explains why an operator can't be applied.
-    fn explain_refused_sign(&self, call: &Call) -> Refusal {
+    fn explain_refused_operator(&self, call: &Call) -> Refusal {
         let fault = match (call.find_any_function(), call.syntax) {
             (Some(function), _) => return self.explain_wrong_operands(call, function.parameters),
             (None, _) if call.name == "^" => Fault::Caret,
@@ -241,8 +241,8 @@ impl Compiler<'_> {
         }
     }
 
-    /// Explains why the operands of a call don't fit a function with these parameters. Either their
-    /// number is wrong, or one of them has the wrong type.
+    /// Explains why the operands of a call don't fit a function with these parameters. Either the
+    /// number of operands is wrong, or an operand has the wrong type.
     fn explain_wrong_operands(&self, call: &Call, parameters: &[ValueType]) -> Refusal {
         let mut pairs = call.operands.iter().zip(parameters);
         let mismatch = pairs.find(|(operand, wanted)| operand.code.value_type != **wanted);
@@ -408,9 +408,8 @@ impl Compiler<'_> {
         })
     }
 
-    /// Restores the spaces in the name of a variable. If a variable of the place has this name,
-    /// apart from spaces, returns the name as it is written in places.txt. Otherwise, returns
-    /// `name_without_spaces`.
+    /// Restores the spaces in a variable's name: returns the name as it is written in places.txt.
+    /// If the place has no such variable, returns `name_without_spaces`.
     fn restore_spaces_in_name(&self, name_without_spaces: &str) -> String {
         let variables = self.place.variables.iter().map(|(name, _)| *name);
         let mut names = variables
@@ -418,8 +417,9 @@ impl Compiler<'_> {
         names.next().unwrap_or(name_without_spaces).to_owned()
     }
 
-    /// Refuses a chain such as `hit.object.name` if a known name, such as `hit.t`, begins with the
-    /// chain's first word, but the chain doesn't begin with any complete known name.
+    /// Refuses an unknown chain, such as `hit.object.name`. The chain is refused if a known name,
+    /// such as `hit.t`, begins with `hit.`, and none of `hit`, `hit.object` and `hit.object.name`
+    /// is a known name.
     pub fn refuse_unknown_chain(&self, syntax: &Expr) -> Option<Refusal> {
         let mut links = vec![syntax];
         while let Some(inner) = links.last().and_then(|link| match link {
@@ -470,10 +470,10 @@ impl Compiler<'_> {
         Some(Refusal { range, fault })
     }
 
-    /// Refuses a call such as `direction_colour(ray)`: its function is unknown, and an argument
-    /// isn't a value by itself. Without this check, the reader would be told that the argument is
-    /// wrong, although the function is what can't be used here.
-    pub fn refuse_unknown_function_of_unknown_chain(&self, syntax: &Expr) -> Option<Refusal> {
+    /// Refuses a call such as `direction_colour(ray)` if the function is unknown and an argument is
+    /// an unknown chain. Without this check, the refusal would be about the argument, but a correct
+    /// argument wouldn't help the reader, because the function can't be called at all.
+    pub fn refuse_unknown_function_with_unknown_argument(&self, syntax: &Expr) -> Option<Refusal> {
         let Expr::Call(call) = syntax else { return None };
         let name = write_without_spaces(&call.func);
         let last = name.rsplit("::").next().unwrap_or_default();

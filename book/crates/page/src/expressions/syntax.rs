@@ -7,9 +7,10 @@ use std::ops::Range;
 use syn::parse::Parser;
 use syn::{Block, Stmt};
 
-/// The error message of `syn` for `a < b < c`. We compare messages because the errors of `syn` have
-/// no kinds, and because we would need our own parser to distinguish `a < b < c` from `a < < c`. If
-/// `syn` ever changes the message, the test `chain_of_comparisons_is_recognised` fails.
+/// The error message of `syn` for `a < b < c`. We recognise this error by its message, because the
+/// errors of `syn` have no kinds. Without the message, we would need our own parser to distinguish
+/// `a < b < c` from `a < < c`. If `syn` ever changes the message, the test
+/// `chain_of_comparisons_is_recognised` fails.
 const COMPARISON_CHAIN: &str = "comparison operators cannot be chained";
 
 /// The maximum length of a line, in bytes. A line of this length can't overflow a page's stack,
@@ -60,26 +61,31 @@ fn find_line_comment_in_last_row(text: &str) -> Option<usize> {
     None
 }
 
-/// Refuses a text that is too long, or that contains a character or a sign that isn't allowed in
-/// any line. Unless `allows_line_comment` is true, also refuses a `//` comment in the last row.
+/// Refuses a text that is too long, or that contains something that no line may contain, such as a
+/// quotation mark or a `?`. Unless `allows_line_comment` is true, also refuses a `//` comment in
+/// the last row.
 fn refuse_unreadable_text(text: &str, allows_line_comment: bool) -> Result<(), Refusal> {
     if text.len() > MAX_LENGTH {
         return refuse(0..text.len(), Fault::LongText);
     }
-    let is_hidden = |sign: char| sign.is_control() && !"\n\t".contains(sign);
-    if let Some((start, sign)) = text.char_indices().find(|(_, sign)| is_hidden(*sign)) {
-        return refuse(start..start + sign.len_utf8(), Fault::ControlCharacter);
+    let is_hidden = |character: char| character.is_control() && !"\n\t".contains(character);
+    if let Some((start, character)) =
+        text.char_indices().find(|(_, character)| is_hidden(*character))
+    {
+        return refuse(start..start + character.len_utf8(), Fault::ControlCharacter);
     }
-    let is_unreadable = |sign: char| !sign.is_ascii() || "'\"#@$\\".contains(sign);
-    if let Some((start, sign)) = text.char_indices().find(|(_, sign)| is_unreadable(*sign)) {
-        return refuse(start..start + sign.len_utf8(), Fault::UnreadableSign(sign));
+    let is_unreadable = |character: char| !character.is_ascii() || "'\"#@$\\".contains(character);
+    if let Some((start, character)) =
+        text.char_indices().find(|(_, character)| is_unreadable(*character))
+    {
+        return refuse(start..start + character.len_utf8(), Fault::UnreadableCharacter(character));
     }
     if let Some(start) = find_line_comment_in_last_row(text).filter(|_| !allows_line_comment) {
         return refuse(start..start + 2, Fault::LineComment);
     }
-    for (sign, fault) in [("<-", Fault::LeftArrow), ("?", Fault::QuestionMark)] {
-        if let Some(start) = text.find(sign) {
-            return refuse(start..start + sign.len(), fault);
+    for (symbol, fault) in [("<-", Fault::LeftArrow), ("?", Fault::QuestionMark)] {
+        if let Some(start) = text.find(symbol) {
+            return refuse(start..start + symbol.len(), fault);
         }
     }
     Ok(())

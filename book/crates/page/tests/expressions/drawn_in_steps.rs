@@ -1,6 +1,6 @@
-//! Applies all suggested cures to the lines in lines.txt. Writes each line that is then accepted
-//! into a copy of its step. The copy must compile, and must draw the same picture that a page of
-//! the book draws with this line.
+//! Applies all suggested cures to the lines in lines.txt. If a cured line is accepted, writes the
+//! line into a copy of its step. The copy must compile, and must draw the same picture that a page
+//! of the book draws with this line.
 
 use crate::lines::cure_line;
 use course::{
@@ -13,8 +13,8 @@ use std::fs;
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::Path;
 
-/// The manifest of the program that contains the copies of steps, without the dependencies. The
-/// function `dependencies_of_step_copies` returns the dependencies.
+/// The beginning of the manifest of the program that contains the copies of steps. The rest is the
+/// dependencies, which `dependencies_of_step_copies` returns.
 const MANIFEST: &str = r#"
 workspace = {}
 package = { name = "lines", edition = "2024" }

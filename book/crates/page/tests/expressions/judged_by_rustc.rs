@@ -16,16 +16,17 @@ const KIND: &str = "fn(f64, f64, DVec3, DVec3, i32, bool) -> String";
 const MANIFEST: &str = "[package]\nname = \"judge\"\nedition = \"2024\"\n[workspace]\n\
     [dependencies]\nglam = { version = \"0.34\", default-features = false, features = [\"f64\", \"std\"] }\n";
 
-/// The program, up to its functions. For each function, the program prints the value, or "stop" if
-/// the function panics.
+/// The start of the program. After this text come a function for each line, and the list `ALL` of
+/// these functions. For each function, the program prints the result, or "stop" if the function
+/// panics.
 const PROGRAM: &str = "#![allow(warnings)] use glam::DVec3; use std::panic::*; fn main() { \
     set_hook(Box::new(|_| {})); for f in ALL { println!(\"{}\", catch_unwind(|| f(0.75, -3.5, \
     DVec3::new(0.5, -0.25, 2.0), DVec3::Z, -3, true)).unwrap_or(\"stop\".to_owned())) } }\n";
 
-/// Writes a random line of the type whose name begins with `type_initial`, by filling in a pattern
-/// from patterns.txt. In a pattern:
+/// Writes a random line, by filling in a pattern from patterns.txt. The name of the line's type
+/// usually begins with `type_initial`. About one line in fifty may have any type. In a pattern:
 ///
-/// - `$` and the initial of a type stand for an expression of that type.
+/// - `$` followed by the initial of a type stands for an expression of that type.
 /// - `;` stands for a comma.
 /// - `#` stands for a semicolon.
 ///

@@ -70,7 +70,7 @@ fn try_line(place_name: &str, text: &str) -> Result<(), Refusal> {
 }
 
 /// Draws a small picture with this text at a place. Returns an error if the text is refused, or if
-/// it takes more than `operations` for the whole picture.
+/// the whole picture takes more operations than `operations`.
 fn try_line_within(place_name: &str, text: &str, operations: u64) -> Result<(), Refusal> {
     let place = all_listed_places().into_iter().find(|place| place.name == place_name);
     let line = compile_line(&place.expect("a place"), text)?;
@@ -114,8 +114,8 @@ fn text_longer_than_250_bytes_is_refused() {
     assert!(try_line("a", &(longest + " ")).is_err());
 }
 
-/// Returns the text of the reply to these edited lines. Each line is given as the name of its place
-/// and its text.
+/// Returns the text of the reply to these edited lines. Each line is a pair: the name of the line's
+/// place, and the line's text.
 fn reply_text(lines: &[(&str, &str)]) -> String {
     let lines = lines
         .iter()

@@ -1,5 +1,5 @@
-//! Tests that the book's code, typed at its place, draws the locked picture, and that the code of a
-//! listed mistake, typed at the same place, draws the picture of that mistake.
+//! Tests what an edited line draws. The book's own code must draw the locked picture. The code of a
+//! listed mistake must draw the picture of that mistake, unless the code is refused.
 
 use course::environment::is_thorough;
 use course::{
@@ -13,11 +13,11 @@ use std::{fs, iter::once};
 /// place. With THOROUGH=1, draws every such mistake.
 #[test]
 fn places_and_listed_mistakes_are_drawn_by_an_edited_line() {
-    let step = if is_thorough() { 1 } else { 10 };
+    let stride = if is_thorough() { 1 } else { 10 };
     let (mut count, mut refusals) = (0, vec![]);
     for place in all_listed_places() {
         for (text, expected) in
-            right_and_mistaken_codes_with_hashes(&place).into_iter().step_by(step)
+            right_and_mistaken_codes_with_hashes(&place).into_iter().step_by(stride)
         {
             count += 1;
             let picture = compile_line(&place, &text).and_then(|line| {
