@@ -13,7 +13,8 @@ pub const FAILURE_EXIT_CODE: u8 = 2;
 pub enum Verdict {
     /// Equal to ours in every pixel, and opaque.
     Right,
-    /// What a right program draws with a different size, field of view or number of samples.
+    /// A picture that a right program draws with a different size, field of view or number of
+    /// samples.
     OtherOptions,
     /// Any other picture.
     NotRight,
@@ -125,7 +126,7 @@ pub(crate) struct OptionDoubts {
     pub is_one_colour: bool,
 }
 
-/// What `check` answers about a picture. Its `Display` is the text that the program prints.
+/// The answer of `check` about a picture. Its `Display` is the text that the program prints.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Answer {
     /// The verdict.

@@ -77,7 +77,7 @@ fn locked_name_parser() -> PossibleValuesParser {
 /// An error of any kind. The program only prints it.
 type AnyError = Box<dyn Error + Send + Sync>;
 
-/// What the program is asked to do.
+/// The task that the program's arguments ask for.
 enum Task {
     /// `check FILE`: checks one picture.
     CheckFile { file: PathBuf, expected: ExpectedPicture },

@@ -50,7 +50,7 @@ pub fn read_bounded_file(file: &Path) -> Result<Vec<u8>, ReadFileError> {
     }
 }
 
-/// What was found at a path.
+/// The result of reading the file at a path.
 #[derive(Debug, PartialEq)]
 enum FileContents {
     Bytes(Vec<u8>),

@@ -12,7 +12,7 @@ use step01_rays::Camera;
 pub struct Handle {
     /// The handle's name, which a tooltip shows and a screen reader says.
     pub label: &'static str,
-    /// What the mark looks like.
+    /// The appearance of the mark.
     pub mark: Mark,
     /// The parameter that the left and right arrow keys change.
     pub horizontal: ParameterId,
@@ -50,7 +50,7 @@ impl Debug for Handle {
     }
 }
 
-/// What a handle looks like.
+/// The appearance of a handle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Mark {
     /// A ring that moves a part of the figure.

@@ -25,7 +25,7 @@ pub struct Parameter {
     /// The number of steps from one whole number to the next. Neighbouring allowed values are one
     /// step apart.
     pub steps_per_unit: f64,
-    /// What the value means, which determines the kind of control.
+    /// The meaning of the value, which determines the kind of control.
     pub kind: ParameterKind,
     /// The direction in which a handle moves when the value grows. None if the parameter isn't a
     /// coordinate.
@@ -34,7 +34,7 @@ pub struct Parameter {
     pub has_control: fn(&Self, &ParameterValues) -> bool,
 }
 
-/// What the value of a parameter means.
+/// The meaning of a parameter's value.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ParameterKind {
     /// A number.

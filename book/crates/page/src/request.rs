@@ -45,7 +45,7 @@ pub enum Request {
     Figure {
         /// The name of the figure.
         figure: String,
-        /// What the page asks for.
+        /// The page's request to the figure.
         request: FigureRequest,
     },
 }
@@ -55,7 +55,7 @@ pub enum Request {
 pub struct EditedLine {
     /// The name of the line's place.
     pub place: String,
-    /// What the reader has written at the place.
+    /// The text that the reader has written at the place.
     pub text: String,
 }
 

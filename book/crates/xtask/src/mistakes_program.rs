@@ -82,7 +82,7 @@ fn generated_package_folder() -> PathBuf {
     target_folder().join("mistakes")
 }
 
-/// Where the program saves a step's picture with mistake `k`: the path of the file, without the
+/// The path of the file in which the program saves a step's picture with mistake `k`, without the
 /// extension.
 fn picture_path_without_extension(k: usize, step: Step) -> String {
     format!("src/m{k}/{}", step.name())

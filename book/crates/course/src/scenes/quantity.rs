@@ -133,8 +133,8 @@ impl Scalar {
         self.ground_range.filter(|_| owner_index == GROUND).unwrap_or(self.range)
     }
 
-    /// Reads the number from `own_scene`. `owner_index` is the index of the object or light that has
-    /// the number.
+    /// Reads the number from `own_scene`. `owner_index` is the index of the object or light that
+    /// has the number.
     pub fn get(&self, own_scene: &OwnScene, owner_index: usize) -> f64 {
         let (scene, axis) = (&own_scene.scene, self.axis);
         match self.property {

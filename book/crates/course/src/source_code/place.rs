@@ -36,7 +36,7 @@ pub struct Place {
     pub value_type: ValueType,
     /// The variables that a reader's expression may use, with their types.
     pub variables: Vec<(&'static str, ValueType)>,
-    /// What the surrounding code does with the value.
+    /// Notes on what the surrounding code does with the value.
     pub notes: Vec<PlaceNote>,
 }
 
@@ -76,7 +76,7 @@ impl ValueType {
     }
 }
 
-/// What the surrounding code does with the value of a place.
+/// A note on what the surrounding code does with the value of a place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PlaceNote {
     /// A method is called on the value. So a literal such as `1.0` needs a suffix: Rust has to know

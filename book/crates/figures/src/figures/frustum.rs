@@ -54,7 +54,7 @@ fn top_and_bottom_rays() -> [Ray; 2] {
     [0.0, 1.0].map(|j| camera.ray(0.5, j))
 }
 
-/// What OpenGL's near and far plane do to a ball.
+/// The effect of OpenGL's near and far plane on a ball.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Clipping {
     CutAway,

@@ -11,7 +11,7 @@ use step05_phong::{OBJECTS, scene};
 
 const MIRRORS: ParameterId = ParameterId::of("the way back", "shadows and mirrors");
 
-/// What a parameter sets.
+/// The switch or number that a parameter sets.
 #[derive(Clone, Copy)]
 pub enum Target {
     /// Whether there are shadows and mirrors.

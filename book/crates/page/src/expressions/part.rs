@@ -16,7 +16,7 @@ pub struct Part {
     pub range: Range<usize>,
 }
 
-/// What a part of a line is compiled to.
+/// The code to which a part of a line is compiled.
 #[derive(Clone)]
 pub struct Code {
     pub computation: Computation,
