@@ -7,8 +7,8 @@ use support::primary_rays;
 
 #[test]
 fn tree_finds_the_same_hits_as_the_loop_with_few_intersections() {
-    let (mut sorted, intersections) = (sunflower(), Cell::new(0));
-    let (tree, objects) = (Tree::new(&mut sorted), sunflower());
+    let (mut sorted_objects, intersections) = (sunflower(), Cell::new(0));
+    let (tree, objects) = (Tree::new(&mut sorted_objects), sunflower());
     let (mut ray_count, mut hit_count) = (0, 0);
     for ray in primary_rays().step_by(17) {
         let hit = tree.nearest(&ray, f64::INFINITY, &|leaf| {

@@ -83,9 +83,9 @@ fn glass_reflects_all_light_from_inside_beyond_42_degrees() {
     let next_direction =
         |degrees| glass::through_glass(&ray_at(degrees), &point, 1.5, |next| next.direction);
     for degrees in [42.0, 60.0, 89.0] {
-        let mirrored = DVec3::NEG_Y.rotate_z(-f64::to_radians(degrees));
+        let mirrored_direction = DVec3::NEG_Y.rotate_z(-f64::to_radians(degrees));
         assert!(
-            next_direction(degrees).abs_diff_eq(mirrored, 1e-12),
+            next_direction(degrees).abs_diff_eq(mirrored_direction, 1e-12),
             "{degrees}°: {}",
             next_direction(degrees)
         );
@@ -110,22 +110,23 @@ fn last_mirror_shows_its_own_colour_and_the_last_glass_is_black() {
     let glasses = glass::glasses(1.5);
     let mut counts = [0; 2];
     for ray in primary_rays().step_by(97) {
-        let last = mirror::colour(&scene, &ray, 0, mirror::OFFSET);
-        assert_eq!(last, mirror::colour(&paint, &ray, 0, mirror::OFFSET), "{ray:?}");
+        let last_colour = mirror::colour(&scene, &ray, 0, mirror::OFFSET);
+        assert_eq!(last_colour, mirror::colour(&paint, &ray, 0, mirror::OFFSET), "{ray:?}");
         let Some(point) = visible_point(&scene.objects, &ray) else { continue };
         let mirror::Mirror { material, k } = point.material();
         if *k > 0.0 {
             // With a depth of 1, a ray sees a mixture of two colours: the mirror's own colour, and
             // the colour of the mirror image. The mirror image is traced with a depth of 0.
             let start = point.p + mirror::OFFSET * point.n;
-            let mirrored = Ray { start, direction: reflect(point.n, -ray.direction) };
+            let mirrored_ray = Ray { start, direction: reflect(point.n, -ray.direction) };
             let is_hidden = |light: &Light| {
                 let q = light.point_light.position;
                 mirror::hidden(&scene.objects, &point, q, mirror::OFFSET)
             };
             let terms = mirror::shadowed_phong(&point, &ray, material, &scene, is_hidden);
             let own_colour = (1.0 - k) * (terms.ambient + terms.diffuse) + terms.specular;
-            let expected = own_colour + k * mirror::colour(&scene, &mirrored, 0, mirror::OFFSET);
+            let expected =
+                own_colour + k * mirror::colour(&scene, &mirrored_ray, 0, mirror::OFFSET);
             let colour = mirror::colour(&scene, &ray, 1, mirror::OFFSET);
             assert!(colour.abs_diff_eq(expected, 1e-12), "{ray:?}");
             counts[0] += 1;

@@ -12,9 +12,9 @@ use support::primary_rays;
 fn last_hit_in_place_of_the_nearest_loses_red_pixels_only() {
     for ray in primary_rays() {
         let has_hit = |object: &&Object<_>| object.sphere.intersect(&ray).first_hit().is_some();
-        let last = OBJECTS.iter().rfind(has_hit).map(|object| object.name);
-        let nearest = nearest(&OBJECTS, &ray).map(|hit| hit.object.name);
-        assert!(last == nearest || nearest == Some("red sphere"), "{ray:?}");
+        let last_name = OBJECTS.iter().rfind(has_hit).map(|object| object.name);
+        let nearest_name = nearest(&OBJECTS, &ray).map(|hit| hit.object.name);
+        assert!(last_name == nearest_name || nearest_name == Some("red sphere"), "{ray:?}");
     }
 }
 
@@ -42,9 +42,9 @@ fn each_ball_that_mirrors_shows_the_green_sphere() {
             let name = point.hit.object.name;
             let direction = step05_phong::reflect(point.n, -ray.direction);
             let start = point.p + course::examples::mirror::OFFSET * point.n;
-            let mirrored = nearest(&objects, &Ray { start, direction })?;
+            let mirrored_hit = nearest(&objects, &Ray { start, direction })?;
             let is_mirror = point.material().k > 0.0 && name != "ground";
-            (is_mirror && mirrored.object.name == "green sphere").then_some(name)
+            (is_mirror && mirrored_hit.object.name == "green sphere").then_some(name)
         })
         .collect();
     names.sort_unstable();

@@ -55,7 +55,7 @@ pub fn headings_listings_and_commands(page: &Page) -> Vec<PageItem<'_>> {
         let code = || {
             page.descendants(element)
                 .iter()
-                .find(|inner| inner.tag == "code")
+                .find(|descendant| descendant.tag == "code")
                 .expect("the element contains a `code` element")
         };
         match (&*element.tag, element.attr("class")) {

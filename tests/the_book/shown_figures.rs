@@ -14,7 +14,9 @@ fn each_figure_is_on_a_page() {
         [figure, element.attr("data-live"), element.attr("data-preview")]
     });
     let names: HashSet<_> = names.flatten().collect();
-    let missing = FIGURES.iter().map(|figure| figure.name).filter(|name| !names.contains(name));
-    let faults: Vec<_> = missing.map(|name| format!("No chapter has the figure {name}.")).collect();
+    let missing_names =
+        FIGURES.iter().map(|figure| figure.name).filter(|name| !names.contains(name));
+    let faults: Vec<_> =
+        missing_names.map(|name| format!("No chapter has the figure {name}.")).collect();
     assert_no_faults(&faults);
 }

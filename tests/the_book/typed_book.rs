@@ -104,8 +104,8 @@ fn run_and_list_verified_pictures(
     let (code, text) = reader.run_command(&["bash", "-c", &line], "1")?;
     ensure!(code == Some(command.exit_code), "{location}: {text}");
     let mut expected_parts = command.output.lines().flat_map(|line| line.split('…'));
-    let missing = expected_parts.find(|part| !text.contains(part));
-    ensure!(missing.is_none(), "{location} does not print {missing:?}, but {text}");
+    let missing_part = expected_parts.find(|part| !text.contains(part));
+    ensure!(missing_part.is_none(), "{location} does not print {missing_part:?}, but {text}");
     let mut names = vec![];
     let has_custom_size = command.line.contains("--width") && !command.line.contains("--output");
     for path in picture_paths(reader)?.into_iter().filter(|_| !has_custom_size) {

@@ -29,7 +29,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let places = all_listed_places();
     // `edited_picture.rs` has one bit of a u64 for each place.
     assert!(places.len() <= u64::BITS as usize, "places.txt has more places than a u64 has bits");
-    let out = env::var("OUT_DIR")?;
+    let output_folder = env::var("OUT_DIR")?;
     let mut modules = String::new();
     for (name, text) in read_step_sources()? {
         let step = name.split('/').next().unwrap_or_default();
@@ -42,14 +42,14 @@ fn main() -> Result<(), Box<dyn Error>> {
                 &places,
             ),
         };
-        let path = Path::new(&out).join(&name);
+        let path = Path::new(&output_folder).join(&name);
         create_dir_all(path.parent().unwrap_or(&path))?;
         write(&path, copy)?;
         if name.ends_with("/lib.rs") {
             modules += &format!("#[path = {name:?}]\npub mod {step};\n");
         }
     }
-    Ok(write(Path::new(&out).join("steps.rs"), modules)?)
+    Ok(write(Path::new(&output_folder).join("steps.rs"), modules)?)
 }
 
 /// Returns the text of each of the steps' source files, keyed by a path such as

@@ -96,13 +96,13 @@ impl<'a> Directive<'a> {
     /// Parses a text that consists of a single directive. Returns None for any other text, and for
     /// a directive of an unknown kind.
     pub fn parse(text: &'a str) -> Option<Self> {
-        Self::parse_inside(text.trim().strip_prefix("{{#")?.strip_suffix("}}")?)
+        Self::parse_without_braces(text.trim().strip_prefix("{{#")?.strip_suffix("}}")?)
     }
 
     /// Parses the text between the braces of a directive.
-    fn parse_inside(directive_text: &'a str) -> Option<Self> {
+    fn parse_without_braces(name_and_words: &'a str) -> Option<Self> {
         let (name, words) =
-            directive_text.split_once(char::is_whitespace).unwrap_or((directive_text, ""));
+            name_and_words.split_once(char::is_whitespace).unwrap_or((name_and_words, ""));
         Some(Self { kind: DirectiveKind::from_name(name)?, words: words.trim() })
     }
 }
@@ -120,10 +120,10 @@ pub fn replace_directives(
     text: &str,
     mut replacement: impl FnMut(Directive) -> ChapterResult<String>,
 ) -> ChapterResult<String> {
-    replace_between(text, "{{#", "}}", |directive_text| {
-        match Directive::parse_inside(directive_text) {
+    replace_between(text, "{{#", "}}", |name_and_words| {
+        match Directive::parse_without_braces(name_and_words) {
             Some(directive) => replacement(directive),
-            None => Err(ChapterError::UnknownDirective(format!("{{{{#{directive_text}}}}}"))),
+            None => Err(ChapterError::UnknownDirective(format!("{{{{#{name_and_words}}}}}"))),
         }
     })
 }

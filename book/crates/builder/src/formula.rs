@@ -31,13 +31,13 @@ fn convert(latex: &str, style: MathDisplay) -> ChapterResult<String> {
         return Err(ChapterError::LongFormula(MAX_MARKS));
     }
     let convert = || LatexToMathML::default().convert_with_local_state(latex, style);
-    let converted = thread::scope(|scope| {
+    let conversion = thread::scope(|scope| {
         let thread = thread::Builder::new().stack_size(STACK_BYTES).spawn_scoped(scope, convert);
         thread.ok()?.join().ok()
     });
     let formula_error = |source| ChapterError::Formula { latex: latex.to_owned(), source };
-    match converted {
-        Some(Ok(converted)) => Ok(align_subscripts(converted.mathml)),
+    match conversion {
+        Some(Ok(output)) => Ok(align_subscripts(output.mathml)),
         Some(Err(error)) => Err(formula_error(Some(error))),
         None => Err(formula_error(None)),
     }
@@ -57,19 +57,19 @@ fn align_subscripts(mut mathml: String) -> String {
 
 /// Outside the tags of `mathml`, escapes the characters that Markdown would read as markup.
 fn escape_markdown(mathml: &str) -> String {
-    let mut escaped = String::with_capacity(mathml.len());
+    let mut escaped_mathml = String::with_capacity(mathml.len());
     let mut in_tag = false;
     for c in mathml.chars() {
         in_tag = (in_tag || c == '<') && c != '>';
         match c {
             _ if !in_tag && r#"*_[]\|`~'".-$!"#.contains(c) => {
-                escaped += &format!("&#{};", u32::from(c));
+                escaped_mathml += &format!("&#{};", u32::from(c));
             }
-            '\n' => escaped.push(' '),
-            _ => escaped.push(c),
+            '\n' => escaped_mathml.push(' '),
+            _ => escaped_mathml.push(c),
         }
     }
-    escaped
+    escaped_mathml
 }
 
 #[cfg(test)]

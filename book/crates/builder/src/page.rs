@@ -94,14 +94,14 @@ impl Page {
             match token {
                 Token::TagToken(tag) if tag.kind == TagKind::StartTag => {
                     open.push(elements.len());
-                    let next = elements.len() + 1;
+                    let next_index = elements.len() + 1;
                     let attributes = tag.attrs.into_iter();
                     elements.push(Element {
                         tag: tag.name.to_string(),
                         attributes: attributes
                             .map(|attr| (attr.name.local.to_string(), attr.value.to_string()))
                             .collect(),
-                        descendants: next..next,
+                        descendants: next_index..next_index,
                         text: text.len()..text.len(),
                     });
                 }

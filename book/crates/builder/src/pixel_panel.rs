@@ -75,10 +75,10 @@ mod tests {
         let values = Values::default();
         let rows = rows_markdown("step03_nearest sphere a", &values).expect("the columns exist");
         assert_eq!(rows.lines().count(), OBJECTS.len());
-        let first = rows.lines().next().unwrap_or_default();
+        let first_row = rows.lines().next().unwrap_or_default();
         let a = values.text("step03_nearest:a0", Notation::Prose).expect("the value exists");
         assert_eq!(
-            first,
+            first_row,
             format!(
                 "| <span data-object=\"red\">red</span> | \
                  <span data-number=\"step03_nearest:a0\">{a}</span> |"

@@ -105,8 +105,8 @@ fn whole_picture_number(name: &str) -> Option<usize> {
         }
         "step03-hits" => primary_rays().map(|ray| indices_of_hit_objects(&ray).count()).sum(),
         "step03-last" => count_primary_rays(|ray| {
-            let nearest = nearest(&OBJECTS, ray).map(|hit| hit.object);
-            indices_of_hit_objects(ray).last().map(|k| &OBJECTS[k]) != nearest
+            let nearest_object = nearest(&OBJECTS, ray).map(|hit| hit.object);
+            indices_of_hit_objects(ray).last().map(|k| &OBJECTS[k]) != nearest_object
         }),
         // Object 4 is the sphere behind the eye. Rays meet this sphere only at negative t, and
         // `first_hit` ignores negative t, so this counts rays by their discriminants.

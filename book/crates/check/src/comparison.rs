@@ -169,8 +169,8 @@ mod tests {
             assert!(positions.iter().all(|(i, j)| *i < columns && *j < rows));
         }
         // The first hundred positions reach every cell of a 3×3 grid.
-        let first = scattered_positions((640, 360)).take(100);
-        let ninths: BTreeSet<_> = first.map(|(i, j)| (i / 214, j / 120)).collect();
+        let first_positions = scattered_positions((640, 360)).take(100);
+        let ninths: BTreeSet<_> = first_positions.map(|(i, j)| (i / 214, j / 120)).collect();
         assert_eq!(ninths.len(), 9);
     }
 

@@ -94,13 +94,13 @@ fn missing_terms_sentence(wrong: &[Pixel], scene: &StepScene) -> Option<String> 
             let ambient = scene.ambient_at_hit(hit);
             let [warm, cool] = [0, 1].map(|k| scene.light_terms_at_hit(ray, hit, &lights[k]));
             let terms = [ambient, warm.diffuse, cool.diffuse, warm.specular, cool.specular];
-            let kept = (0..count).filter(|k| !is_left_out(*choice, *k));
-            rgb8(kept.map(|k| terms[k]).sum()).0 == *yours
+            let kept_indices = (0..count).filter(|k| !is_left_out(*choice, *k));
+            rgb8(kept_indices.map(|k| terms[k]).sum()).0 == *yours
         })
     })?;
-    let missing: Vec<_> =
+    let missing_terms: Vec<_> =
         (0..count).filter(|k| is_left_out(choice, *k)).map(|k| &*names[k]).collect();
-    Some(format!("Each wrong pixel is what ours would be without {}.", missing.join(" and ")))
+    Some(format!("Each wrong pixel is what ours would be without {}.", missing_terms.join(" and ")))
 }
 
 #[cfg(test)]

@@ -74,7 +74,8 @@ impl Options {
         let pixel_count = columns as usize * rows as usize;
         match self.compared_count {
             count if count < pixel_count => format!(
-                "So may the right program with {options}: {count} of {pixel_count} pixels were compared."
+                "So may the right program with {options}: {count} of {pixel_count} pixels were \
+                 compared."
             ),
             _ => format!("So does the right program with {options}."),
         }
@@ -224,9 +225,9 @@ fn find_almost_common_bounds(intervals: &[(f64, f64)]) -> (f64, f64) {
     let is_enough = |count: &i32| *count >= max_count - max_count / BORDER_BYTES_PER_WRONG_BYTE;
     // The last count that is large enough holds until the next change, which is the end of an
     // interval.
-    let first = counts.iter().position(is_enough).unwrap_or(0);
-    let last = counts.iter().rposition(is_enough).map_or(0, |k| k + 1);
-    (changes[first].0, changes[last].0)
+    let first_index = counts.iter().position(is_enough).unwrap_or(0);
+    let last_index = counts.iter().rposition(is_enough).map_or(0, |k| k + 1);
+    (changes[first_index].0, changes[last_index].0)
 }
 
 /// Returns at most 50 positions on each side of a picture, starting at a corner. With most angles
@@ -302,16 +303,18 @@ mod tests {
             compared_count,
             is_one_colour: false,
         };
-        let certain_options = options((640, 360), 1, 230_400);
+        let fully_compared_options = options((640, 360), 1, 230_400);
         assert_eq!(
-            certain_options.same_picture_sentence(),
+            fully_compared_options.same_picture_sentence(),
             "So does the right program with --fov 75.5."
         );
-        let possible_options = options((64, 32), 2, 100);
+        let partly_compared_options = options((64, 32), 2, 100);
         let sentence = "So may the right program with --fov 75.5 --width 64 --aspect 64:32 \
                         --samples 2: 100 of 2048 pixels were compared.";
-        assert_eq!(possible_options.same_picture_sentence(), sentence);
-        assert!(certain_options.has_at_most_one_decimal());
-        assert!(!Options { fov_degrees: 75.55, ..certain_options }.has_at_most_one_decimal());
+        assert_eq!(partly_compared_options.same_picture_sentence(), sentence);
+        assert!(fully_compared_options.has_at_most_one_decimal());
+        assert!(
+            !Options { fov_degrees: 75.55, ..fully_compared_options }.has_at_most_one_decimal()
+        );
     }
 }

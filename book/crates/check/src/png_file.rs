@@ -154,8 +154,8 @@ pub(crate) fn read_png(file: &[u8]) -> Result<DecodedPng, PngError> {
         let (count, pixel_count) = (transparent.count, columns as usize * rows as usize);
         let (i, j) = (first % columns as usize, first / columns as usize);
         notes.push(format!(
-            "In {count} of {pixel_count} pixels the file is not opaque, first in column {i}, row {j}: a \
-             viewer may show other colours there."
+            "In {count} of {pixel_count} pixels the file is not opaque, first in column {i}, row \
+             {j}: a viewer may show other colours there."
         ));
     }
     let rgb = RgbImage::from_raw(columns, rows, rgb).ok_or(PngError::MissingPixels)?;

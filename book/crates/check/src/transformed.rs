@@ -55,10 +55,10 @@ pub(crate) fn describe_uniform(picture: &RgbImage) -> Option<String> {
 
 /// Returns the colour of the picture if all of its pixels have the same colour.
 pub(crate) fn uniform_colour(picture: &RgbImage) -> Option<[u8; 3]> {
-    let first = picture.get_pixel_checked(0, 0)?.0;
+    let first_pixel = picture.get_pixel_checked(0, 0)?.0;
     // Compare each pixel with the previous one.
     let bytes = picture.as_raw();
-    (bytes[3..] == bytes[..bytes.len() - 3]).then_some(first)
+    (bytes[3..] == bytes[..bytes.len() - 3]).then_some(first_pixel)
 }
 
 /// Returns a clause, such as `upside down`, for each turn that makes our picture equal to yours. If

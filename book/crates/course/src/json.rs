@@ -5,15 +5,15 @@ use crate::is_terminal_control;
 
 /// Quotes `text` as a JSON string, escaping every character that a terminal would act on.
 pub fn quote(text: &str) -> String {
-    let mut quoted = String::from("\"");
+    let mut quoted_text = String::from("\"");
     for c in text.chars() {
         match c {
-            '"' | '\\' => quoted.extend(['\\', c]),
-            c if is_terminal_control(c) => quoted += &format!("\\u{:04x}", c as u32),
-            c => quoted.push(c),
+            '"' | '\\' => quoted_text.extend(['\\', c]),
+            c if is_terminal_control(c) => quoted_text += &format!("\\u{:04x}", c as u32),
+            c => quoted_text.push(c),
         }
     }
-    quoted + "\""
+    quoted_text + "\""
 }
 
 /// Writes a JSON array. Each item has to be a number or JSON text.

@@ -54,10 +54,10 @@ impl Drawing {
 
     /// Draws an arrow from `start` to `tip`.
     pub fn arrow(&mut self, class: &str, start: DVec2, tip: DVec2) {
-        let unit_vector = (tip - start).normalize_or(DVec2::X);
-        let back = tip - 9.0 * unit_vector;
-        self.line(class, start, back + 2.0 * unit_vector);
-        let side = 3.8 * unit_vector.perp();
+        let arrow_direction = (tip - start).normalize_or(DVec2::X);
+        let back = tip - 9.0 * arrow_direction;
+        self.line(class, start, back + 2.0 * arrow_direction);
+        let side = 3.8 * arrow_direction.perp();
         self.area(&format!("{class} head"), [tip, back + side, back - side]);
     }
 

@@ -138,8 +138,8 @@ impl Figure {
         let mut values = self.default_values();
         values.set(probe.horizontal, i);
         values.set(probe.vertical, j);
-        let allowed = self.nearest_allowed_values(&values)?;
-        (allowed == values).then_some(values)
+        let allowed_values = self.nearest_allowed_values(&values)?;
+        (allowed_values == values).then_some(values)
     }
 
     /// Returns the values after a handle is dragged to a position. Returns None if the handle can't
@@ -151,21 +151,22 @@ impl Figure {
         position: DVec2,
     ) -> Option<ParameterValues> {
         let DVec2 { x, y } = (handle.coordinates_at)(values, position)?;
-        let mut new = values.clone();
-        new.set(handle.horizontal, x);
-        new.set(handle.vertical, y);
-        self.nearest_allowed_values(&new)
+        let mut new_values = values.clone();
+        new_values.set(handle.horizontal, x);
+        new_values.set(handle.vertical, y);
+        self.nearest_allowed_values(&new_values)
     }
 
     /// Replaces each value with the nearest value that its parameter allows. Returns None if a
     /// value isn't finite, or if the figure has nothing to show at the new values.
     pub fn nearest_allowed_values(&self, values: &ParameterValues) -> Option<ParameterValues> {
-        let allowed = self
+        let allowed_values = self
             .parameters
             .iter()
             .map(|parameter| (parameter.id, parameter.nearest_allowed(values[parameter.id])))
             .collect();
-        (values.are_finite() && (self.has_something_to_show)(&allowed)).then_some(allowed)
+        (values.are_finite() && (self.has_something_to_show)(&allowed_values))
+            .then_some(allowed_values)
     }
 }
 

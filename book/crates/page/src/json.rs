@@ -92,9 +92,9 @@ fn split_outside_strings_and_brackets(text: &str, separator: u8) -> Option<Vec<J
             _ => {}
         }
     }
-    let last = Json::new(&text[start..]);
-    if !parts.is_empty() || !last.0.is_empty() {
-        parts.push(last);
+    let last_part = Json::new(&text[start..]);
+    if !parts.is_empty() || !last_part.0.is_empty() {
+        parts.push(last_part);
     }
     (depth == 0 && !is_string).then_some(parts)
 }
@@ -119,8 +119,8 @@ mod tests {
     #[test]
     fn numbers_are_read_as_browsers_write_them() {
         let numbers = ["0", "-0.5", "640", "1e-7", "1e+21", "1.7976931348623157e+308"];
-        let read = numbers.map(|text| Json::new(text).number());
-        assert_eq!(read, [0.0, -0.5, 640.0, 1e-7, 1e21, f64::MAX].map(Some));
+        let values = numbers.map(|text| Json::new(text).number());
+        assert_eq!(values, [0.0, -0.5, 640.0, 1e-7, 1e21, f64::MAX].map(Some));
         for text in ["", "null", "inf", "NaN", "-", "-inf", "+1", "1.2.3", "1 2", "\"1\"", "[1]"] {
             assert_eq!(Json::new(text).number::<f64>(), None, "{text}");
         }

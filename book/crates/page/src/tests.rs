@@ -66,8 +66,9 @@ struct Field {
 /// Returns the fields of an interface, or None if no interface has this name. Instead of a name,
 /// `type_name` may be an object type that is written out, such as `{ object: string | null }`.
 fn find_interface_fields(type_name: &'static str) -> Option<Vec<Field>> {
-    let inside = type_name.strip_prefix('{').and_then(|object_type| object_type.strip_suffix('}'));
-    let (mut fields, body) = match inside {
+    let written_body =
+        type_name.strip_prefix('{').and_then(|object_type| object_type.strip_suffix('}'));
+    let (mut fields, body) = match written_body {
         Some(body) => (vec![], body),
         None => {
             let (_, interface) = TYPES.split_once(&format!("\ninterface {type_name} "))?;

@@ -45,13 +45,13 @@ pub fn draw_mistakes(mistakes: &[&Mistake]) -> XtaskResult<Vec<DrawnPictures>> {
         let output = String::from_utf8_lossy(&[output.stderr, output.stdout].concat()).into_owned();
         return Err(XtaskError::MistakesNotDrawn { output, folder });
     }
-    let read = |k, step: Step| {
+    let read_picture = |k, step: Step| {
         let path = folder.join(format!("{}.png", picture_path_without_extension(k, step)));
         (step, image::open(path).ok().map(|picture| picture.into_rgb8()))
     };
     let mistakes = mistakes.iter().enumerate();
     Ok(mistakes
-        .map(|(k, mistake)| mistake.affected_steps().map(|step| read(k, step)).collect())
+        .map(|(k, mistake)| mistake.affected_steps().map(|step| read_picture(k, step)).collect())
         .collect())
 }
 

@@ -244,8 +244,8 @@ fn file_json(file: &FileReport) -> String {
 }
 
 fn skipped_paths_json(skipped_paths: &SkippedPaths) -> String {
-    let first = skipped_paths.first.iter().map(|path| json::quote(&path.to_string()));
-    json::object([("count", skipped_paths.count.to_string()), ("first", json::list(first))])
+    let first_paths = skipped_paths.first.iter().map(|path| json::quote(&path.to_string()));
+    json::object([("count", skipped_paths.count.to_string()), ("first", json::list(first_paths))])
 }
 
 /// Returns the notes on a student and a clause about what was skipped, joined by semicolons.
@@ -311,9 +311,9 @@ fn csv_text_cell(text: &str) -> String {
     let is_invisible = |c: char| {
         c.is_whitespace() || c.is_control() || matches!(c, '\u{200b}'..='\u{200f}' | '\u{feff}')
     };
-    let first = text.chars().find(|c| !is_invisible(*c));
-    let is_formula =
-        first.is_some_and(|c| "=+-@＝＋－＠".contains(c)) || text.starts_with(['\t', '\r', '\n']);
+    let first_character = text.chars().find(|c| !is_invisible(*c));
+    let is_formula = first_character.is_some_and(|c| "=+-@＝＋－＠".contains(c))
+        || text.starts_with(['\t', '\r', '\n']);
     let mark = if is_formula { "'" } else { "" };
     format!("\"{mark}{}\"", text.replace('"', "\"\""))
 }

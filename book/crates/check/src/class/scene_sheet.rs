@@ -270,7 +270,7 @@ impl ProblemPixel {
         let Self { position: (i, j), ray, balls, visible } = self;
         let name = |hit: &ObjectHit| objects[hit.object].name;
         let names: Vec<_> = balls.iter().map(name).collect();
-        let nearest = match names.len() {
+        let hit_question = match names.len() {
             1 => format!("At which t does the ray first meet {}?", names[0]),
             _ => "At which t does the ray first meet each of them, and which does the pixel show?"
                 .to_owned(),
@@ -297,7 +297,7 @@ impl ProblemPixel {
         });
         let [i_a, i_d, i_s] =
             [terms.ambient, terms.diffuse, terms.specular].map(|term| format_four_decimals(term.x));
-        let visible = match names.len() {
+        let visible_clause = match names.len() {
             1 => String::new(),
             _ => format!(". The pixel shows {}", name(visible)),
         };
@@ -313,7 +313,7 @@ impl ProblemPixel {
                 ),
                 join_with_semicolons(coefficients),
             ),
-            (nearest, join_with_semicolons(hits) + &visible),
+            (hit_question, join_with_semicolons(hits) + &visible_clause),
             (
                 "What's the normal n at the point that the pixel shows?".to_owned(),
                 format!("n = {}", format_vector_four_decimals(normal)),

@@ -71,7 +71,7 @@ impl Note {
 impl StudentReport {
     /// The report on a student who is in the list of names but has no folder.
     pub fn without_folder(name: &str, required: &[&'static str]) -> Self {
-        let missing = |picture: &&'static str| PictureReport {
+        let empty_report = |picture: &&'static str| PictureReport {
             picture,
             is_counted: true,
             files: vec![],
@@ -79,7 +79,7 @@ impl StudentReport {
         };
         Self {
             name: escape_for_terminal(name),
-            pictures: required.iter().map(missing).collect(),
+            pictures: required.iter().map(empty_report).collect(),
             notes: vec![Note::NoFolder],
             skipped_paths: SkippedPaths::default(),
         }

@@ -45,8 +45,8 @@ impl MistakeFiles {
     /// empty.
     fn split(joined: &'static str) -> Self {
         let mut texts = joined.split(SEPARATOR).chain(iter::repeat(""));
-        let mut next = || texts.next().unwrap_or_default();
-        Self { lists: [(); STEP_COUNT].map(|()| next()), table: next() }
+        let mut next_text = || texts.next().unwrap_or_default();
+        Self { lists: [(); STEP_COUNT].map(|()| next_text()), table: next_text() }
     }
 }
 
@@ -68,7 +68,7 @@ mod tests {
     #[test]
     fn joined_texts_are_split_again() {
         assert_eq!(MistakeFiles::split(INCLUDED.join().leak()), INCLUDED);
-        let first = MistakeFiles::split("a\0b");
-        assert_eq!(first, MistakeFiles { lists: ["a", "b", "", "", ""], table: "" });
+        let files = MistakeFiles::split("a\0b");
+        assert_eq!(files, MistakeFiles { lists: ["a", "b", "", "", ""], table: "" });
     }
 }

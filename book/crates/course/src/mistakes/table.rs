@@ -209,13 +209,10 @@ pub fn read_small_pictures(
     workspace: &Path,
     step: Step,
 ) -> ImageResult<Vec<(&'static str, RgbImage)>> {
-    let right_picture = mistake_table()
-        .right_pictures
-        .iter()
-        .find(|right_picture| right_picture.name == step.name());
-    let names = right_picture
-        .into_iter()
-        .flat_map(|right_picture| right_picture.small_pictures.iter().copied());
+    let right_picture =
+        mistake_table().right_pictures.iter().find(|picture| picture.name == step.name());
+    let names =
+        right_picture.into_iter().flat_map(|picture| picture.small_pictures.iter().copied());
     let file = fs::read(small_pictures_file_path(workspace, step))?;
     let stacked_pictures = image::load_from_memory(&file)?.into_rgb8();
     let [columns, rows] = SMALL_SIZE;

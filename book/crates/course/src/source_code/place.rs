@@ -176,8 +176,8 @@ impl Place {
     /// Finds the place's code in `text`, where the code may be broken across lines.
     pub fn find_range(&self, text: &str) -> Result<Range<usize>, OccurrenceError> {
         let Self { name, file, code, .. } = *self;
-        let first = code.split(' ').next().unwrap_or_default();
-        let starts = text.match_indices(first).map(|(start, _)| start);
+        let first_word = code.split(' ').next().unwrap_or_default();
+        let starts = text.match_indices(first_word).map(|(start, _)| start);
         let ranges = starts.filter_map(|start| {
             let mut remaining = &text[start..];
             for word in code.split(' ') {

@@ -75,9 +75,10 @@ impl CameraFigure {
     /// coordinates are fractional, and are clamped to the picture.
     fn pixel_at(&self, position: DVec2) -> DVec2 {
         let project = |i, j| self.project(self.camera.ray(i, j).at(1.0));
-        let first = project(0.0, 0.0);
-        let steps = DMat2::from_cols(project(1.0, 0.0) - first, project(0.0, 1.0) - first);
-        clamp_to_picture(&self.camera, steps.inverse() * (position - first))
+        let first_point = project(0.0, 0.0);
+        let steps =
+            DMat2::from_cols(project(1.0, 0.0) - first_point, project(0.0, 1.0) - first_point);
+        clamp_to_picture(&self.camera, steps.inverse() * (position - first_point))
     }
 
     /// Draws the image plane with a dot for each pixel, and the rays through the plane's corners.
@@ -103,16 +104,16 @@ impl CameraFigure {
     fn draw_vectors_to_pixel(&self, drawing: &mut Drawing) {
         let Camera { centre, matrix, .. } = self.camera;
         let (d_u, d_v, v_0) = (matrix.x_axis, matrix.y_axis, matrix.z_axis);
-        let (c, first) = (self.project(centre), self.project(v_0));
+        let (c, first_point) = (self.project(centre), self.project(v_0));
         let point_above = self.project(self.camera.ray(self.pixel.x, 0.0).at(1.0));
-        drawing.path("ray faint", [first, point_above, self.project(self.ray().at(1.0))]);
-        drawing.arrow("vector", c, first);
-        drawing.label("strong end", (c + first) / 2.0 + dvec2(-6.0, -12.0), "$V_0$");
+        drawing.path("ray faint", [first_point, point_above, self.project(self.ray().at(1.0))]);
+        drawing.arrow("vector", c, first_point);
+        drawing.label("strong end", (c + first_point) / 2.0 + dvec2(-6.0, -12.0), "$V_0$");
         for (class, step, name, shift) in [
             ("accent", d_u, "$D_u$", dvec2(2.0, -12.0)),
             ("second", d_v, "$D_v$", dvec2(21.0, 6.0)),
         ] {
-            drawing.arrow(class, first, self.project(v_0 + step));
+            drawing.arrow(class, first_point, self.project(v_0 + step));
             let middle = self.project(v_0 + 0.7 * step);
             drawing.label(&format!("{class} over"), middle + shift, name);
         }
@@ -121,8 +122,8 @@ impl CameraFigure {
 
 /// Clamps the fractional coordinates of a pixel to the picture.
 fn clamp_to_picture(camera: &Camera, pixel: DVec2) -> DVec2 {
-    let last = dvec2(f64::from(camera.h_res), f64::from(camera.v_res)) - 1.0;
-    pixel.clamp(DVec2::ZERO, last)
+    let last_pixel = dvec2(f64::from(camera.h_res), f64::from(camera.v_res)) - 1.0;
+    pixel.clamp(DVec2::ZERO, last_pixel)
 }
 
 /// Draws the pyramid of rays, the vectors that lead to the chosen pixel, and the ray through this

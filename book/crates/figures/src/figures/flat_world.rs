@@ -131,8 +131,8 @@ fn draw(values: &ParameterValues) -> Drawing {
     drawing.arrow("ray", position(s), position(v));
     drawing.dot("eye", position(s));
     drawing.circle("light head", position(q), 7.0);
-    let above = |point: DVec3| point + 0.6 * DVec3::Y;
-    let mut names = vec![(above(s), "$S$"), (above(v), "$V$"), (above(q), "$q$")];
+    let point_above = |point: DVec3| point + 0.6 * DVec3::Y;
+    let mut names = vec![(point_above(s), "$S$"), (point_above(v), "$V$"), (point_above(q), "$q$")];
     if let Some(PathPoint { point: SurfacePoint { p, n, .. }, .. }) = hits.first() {
         names.extend([(p - 0.4 * n, "$p$"), (p + 0.95 * n, "$n$")]);
     }

@@ -109,8 +109,9 @@ fn draw(values: &ParameterValues) -> Drawing {
     let sign = if t < 0.0 { '−' } else { '+' };
     let label = format!("$S$ {sign} {}$V$", format_with_max_decimals(t.abs(), 2));
     // The label is above the ray, except near the top of the drawing, where it is below the ray.
-    let above = position(t) + dvec2(-10.0, -24.0);
-    let label_position = if above.y < 14.0 { position(t) + dvec2(-10.0, 30.0) } else { above };
+    let position_above = position(t) + dvec2(-10.0, -24.0);
+    let label_position =
+        if position_above.y < 14.0 { position(t) + dvec2(-10.0, 30.0) } else { position_above };
     drawing.label("over", label_position, &label);
     drawing
 }

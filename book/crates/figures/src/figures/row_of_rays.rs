@@ -65,7 +65,7 @@ fn draw(values: &ParameterValues) -> Drawing {
     let c = ORIGIN;
     let directions = (0..values[RAYS] as u32).map(|i| row.direction(f64::from(i)));
     let directions: Vec<DVec2> = directions.collect();
-    let (v_0, last) = (directions[0], directions.len() - 1);
+    let (v_0, last_index) = (directions[0], directions.len() - 1);
     let tips: Vec<DVec2> = directions.iter().map(|&v| view.to_drawing(v)).collect();
     let tan = -v_0.x;
     let side = (1.02 * tan).max(0.86);
@@ -76,7 +76,7 @@ fn draw(values: &ParameterValues) -> Drawing {
         let end = view.to_drawing(1.28 * v);
         drawing.line("ray faint", c, end);
         drawing.dot("ray", tips[i]);
-        if [0, last].contains(&i) {
+        if [0, last_index].contains(&i) {
             // In a narrow field of view, the labels of the first and the last ray would overlap, so
             // they are moved apart.
             let x = if i == 0 { end.x.min(c.x - 26.0) } else { end.x.max(c.x + 26.0) };
@@ -87,8 +87,8 @@ fn draw(values: &ParameterValues) -> Drawing {
     drawing.label("over", c + dvec2(13.0, -64.0), "$θ$");
     drawing.arrow("vector", c, tips[0]);
     // The label of V_0 is to the left of the arrow V_0.
-    let label_gap = 20.0 * (tips[0] - c).normalize().perp();
-    drawing.label("strong", (c + tips[0]) / 2.0 - label_gap + dvec2(0.0, 6.0), "$V_0$");
+    let label_offset = 20.0 * (tips[0] - c).normalize().perp();
+    drawing.label("strong", (c + tips[0]) / 2.0 - label_offset + dvec2(0.0, 6.0), "$V_0$");
     for step in tips.windows(2).take(2) {
         drawing.arrow("accent", step[0], step[1]);
     }

@@ -37,16 +37,16 @@ pub fn figure() -> Figure {
 /// contains `ray` and all other rays of the same row of pixels. Returns None if the plane misses
 /// the sphere.
 fn outline_in_plane_of_row(sphere: &Sphere, ray: &Ray) -> Option<Vec<DVec2>> {
-    let row_direction = ray.direction.with_x(0.0);
-    let unit_vector = row_direction.normalize();
-    let normal = DVec3::X.cross(unit_vector);
+    let direction_without_x = ray.direction.with_x(0.0);
+    let unit_direction = direction_without_x.normalize();
+    let normal = DVec3::X.cross(unit_direction);
     let height = sphere.centre.dot(normal);
     let square = sphere.radius * sphere.radius - height * height;
     let radius = (square > 0.0).then(|| square.sqrt())?;
-    let middle = dvec2(sphere.centre.x, sphere.centre.dot(unit_vector));
+    let middle = dvec2(sphere.centre.x, sphere.centre.dot(unit_direction));
     let points = (0..90).map(|k| {
         let side = DVec2::from_angle(TAU * f64::from(k) / 90.0);
-        VIEW.to_drawing((middle + radius * side) / dvec2(1.0, row_direction.length()))
+        VIEW.to_drawing((middle + radius * side) / dvec2(1.0, direction_without_x.length()))
     });
     Some(points.collect())
 }

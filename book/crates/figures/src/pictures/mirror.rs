@@ -84,8 +84,8 @@ impl MirrorPicture {
         let object = short_name(point.hit.object.name).into();
         let row = [object, format_number(point.hit.t), format_number(k), intensity];
         let start = point.p + self.offset * point.n;
-        let mirrored_ray = Ray { start, direction: reflect(point.n, -ray.direction) };
-        (row, (k > 0.0).then_some(mirrored_ray))
+        let reflected_ray = Ray { start, direction: reflect(point.n, -ray.direction) };
+        (row, (k > 0.0).then_some(reflected_ray))
     }
 }
 
@@ -104,11 +104,11 @@ fn readouts(values: &ParameterValues) -> Readouts {
     let mut next_ray = Some(ray);
     for index in 0..=MAX_DEPTH {
         let row_and_ray = next_ray.map(|ray| picture.trace_ray(&ray, picture.depth - index));
-        let (row, mirrored_ray) = row_and_ray.unwrap_or_default();
+        let (row, reflected_ray) = row_and_ray.unwrap_or_default();
         let names =
             ["object", "t", "k", "I"].map(|column| row_readout_name(column, index as usize));
         readouts.extend(names.into_iter().zip(row));
-        next_ray = mirrored_ray;
+        next_ray = reflected_ray;
     }
     readouts
 }

@@ -382,8 +382,8 @@ impl Compiler<'_> {
     /// constant.
     fn find_near_name_or_path(&self, name: &str) -> Option<String> {
         let variables = || self.names.iter().map(|(variable, _)| &**variable);
-        let converted = format!("f64::from({name})");
-        let variable = variables().find(|variable| *variable == converted);
+        let converted_name = format!("f64::from({name})");
+        let variable = variables().find(|variable| *variable == converted_name);
         if let Some(variable) = variable.or_else(|| find_near_name(name, variables())) {
             return Some(self.restore_spaces_in_name(variable));
         }
@@ -476,11 +476,11 @@ impl Compiler<'_> {
     pub fn refuse_unknown_function_with_unknown_argument(&self, syntax: &Expr) -> Option<Refusal> {
         let Expr::Call(call) = syntax else { return None };
         let name = write_without_spaces(&call.func);
-        let last = name.rsplit("::").next().unwrap_or_default();
+        let last_name = name.rsplit("::").next().unwrap_or_default();
         let is_method =
             |name: &String| ValueType::ALL.into_iter().any(|kind| is_method(kind, name));
         let is_known = functions().any(|function| function.is_named(OperationKind::Path, &name));
-        if is_known || name_and_synonyms(last).iter().any(is_method) {
+        if is_known || name_and_synonyms(last_name).iter().any(is_method) {
             return None;
         }
         let mut arguments = call.args.iter();

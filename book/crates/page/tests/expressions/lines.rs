@@ -31,23 +31,23 @@ fn refused_lines_have_their_range_and_sentence() {
 ///
 /// Panics if the code that a cure has inserted is itself refused for any reason except its type.
 pub fn cure_line(place: &Place, text: &str) -> String {
-    let mut cured = text.to_owned();
-    let mut last = None;
+    let mut cured_text = text.to_owned();
+    let mut last_cure_range = None;
     for _ in 0..8 {
-        let Err(Refusal { range, fault }) = compile_line(place, &cured) else { break };
-        if let Some(Range { start, end }) = last {
+        let Err(Refusal { range, fault }) = compile_line(place, &cured_text) else { break };
+        if let Some(Range { start, end }) = last_cure_range {
             let is_in_cure = start <= range.start && range.end <= end;
             // The type may be wrong through no fault of the cure, because the code around the cure
             // may require a different type.
             let is_type_mismatch =
                 matches!(fault, Fault::WholeNumber { .. } | Fault::Mismatch { .. });
-            assert!(!is_in_cure || is_type_mismatch, "{text}, cured: {cured}: {fault}");
+            assert!(!is_in_cure || is_type_mismatch, "{text}, cured: {cured_text}: {fault}");
         }
         let Some(cure) = fault.cure() else { break };
-        last = Some(range.start..range.start + cure.len());
-        cured.replace_range(range, cure);
+        last_cure_range = Some(range.start..range.start + cure.len());
+        cured_text.replace_range(range, cure);
     }
-    cured
+    cured_text
 }
 
 #[test]
@@ -56,9 +56,9 @@ fn cures_are_accepted() {
     for line in include_str!("lines.txt").lines() {
         let (name, text) = line.split_once(' ').expect("a place and a text");
         let place = all_listed_places().into_iter().find(|place| place.name == name);
-        let cured = cure_line(&place.expect("a place"), text);
-        if cured != text {
-            cured_lines += &format!("{name} {text}\n  → {cured}\n");
+        let cured_text = cure_line(&place.expect("a place"), text);
+        if cured_text != text {
+            cured_lines += &format!("{name} {text}\n  → {cured_text}\n");
         }
     }
     insta::assert_snapshot!(cured_lines);
@@ -109,9 +109,9 @@ fn long_text_and_slow_line_are_refused() {
 
 #[test]
 fn text_longer_than_250_bytes_is_refused() {
-    let longest = format!("{:250}", "v.dot(v)");
-    assert_eq!(try_line("a", &longest), Ok(()));
-    assert!(try_line("a", &(longest + " ")).is_err());
+    let longest_text = format!("{:250}", "v.dot(v)");
+    assert_eq!(try_line("a", &longest_text), Ok(()));
+    assert!(try_line("a", &(longest_text + " ")).is_err());
 }
 
 /// Returns the text of the reply to these edited lines. Each line is a pair: the name of the line's
