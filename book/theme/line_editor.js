@@ -208,19 +208,20 @@
         restTimer = setTimeout(draw, REST, LARGE);
     }
 
-    // Whether a text contains control characters, which are invisible and have no place in Rust
-    // code.
+    // Whether a text contains control characters other than line breaks and tabs. Such characters
+    // are invisible and have no place in Rust code.
     /** @param {string} text */
     const hasControl = text => /[^\P{Cc}\n\t]/u.test(text);
 
-    // Draws the edited lines. The large picture is drawn once the reader stops typing. Only then
-    // are the module's message shown and the address updated.
+    // Draws the step's picture with the edited lines. The picture is small while the reader types,
+    // and large at rest. Only a call for the large picture shows the module's message and updates
+    // the address.
     /** @param {number} columns */
     async function draw(columns) {
         const line = selected;
         if (hasControl(readText(line))) {
             panel.classList.add("old");
-            return say("A control character is in this line, which nobody sees. Reset brings back the book’s.");
+            return say("This line contains an invisible control character. Reset brings back the book’s line.");
         }
         const others = findEdited().filter(other => other !== line && !hasControl(readText(other)));
         const lines = [line, ...others].map(one => ({ place: one.dataset.line, text: readText(one) }));
@@ -299,8 +300,8 @@
         const isTooLong = words.length > places;
         const edits = words.slice(0, places).map(text => text.match(/^(\w+):(.*)$/s)).filter(match => match && find(match[1]));
         if (!edits.length) return;
-        linkFault = edits.some(([, , text]) => hasControl(text)) ? "The link has a control character in it, so nothing of it was taken."
-            : isTooLong ? `The link has ${words.length} edits, and this page ${places} places, so nothing of it was taken.` : "";
+        linkFault = edits.some(([, , text]) => hasControl(text)) ? "The link contains an invisible control character, so no line was changed."
+            : isTooLong ? `The link has ${words.length} edits, but this page has only ${places} editable lines, so no line was changed.` : "";
         const isLoaded = await book.load("highlight.js");
         const codes = edits.map(([, name]) => find(name).closest("code"));
         for (const code of isLoaded ? codes : []) {

@@ -67,8 +67,8 @@ test('labels of drawings do not overlap at the limit of any control, and no hand
         const cut = labels.filter(one => one.left < box.left || one.top < box.top || one.right > box.right || one.bottom > box.bottom);
         const boxes = selector => [...svg.parentElement.querySelectorAll(selector)].map(one => one.getBoundingClientRect());
         const [handles, cues] = [boxes('.handle:not([hidden])'), boxes('.cue')];
-        // A handle is a disc. It covers a label if the label's nearest point is closer to the
-        // disc's centre than the radius.
+        // A handle is a disc. It covers a label if the distance from the disc's centre to the
+        // nearest point of the label is less than the disc's radius.
         const isBelow = ({ left, right, top, bottom }, { x, y, width }) => {
           const [centreX, centreY] = [x + width / 2, y + width / 2];
           const [nearX, nearY] = [Math.max(left, Math.min(centreX, right)), Math.max(top, Math.min(centreY, bottom))];

@@ -179,8 +179,8 @@ fn fast_draws_the_bytes_of_render_if_every_sphere_occurs_twice() {
         let mut scene = generate_scene(&random.index(10_000).to_string());
         scene.lights.truncate(random.index(3));
         scene.objects.truncate(random.index(10));
-        // Add a copy of every sphere, usually in a different material. Only the originals may be
-        // visible.
+        // Add a copy of every sphere, usually in a different material. The original and the copy
+        // are hit at the same t. `render` shows the original, because it comes first in the list.
         let pairs = scene.objects.iter().zip(scene.objects.iter().rev());
         let copies: Vec<_> =
             pairs.map(|(original, model)| original.with_material(model.material)).collect();
@@ -194,9 +194,10 @@ fn fast_draws_the_bytes_of_render_if_every_sphere_occurs_twice() {
 }
 
 // If a sphere's radius is less than 1e-8 times the sphere's distance, the radius is lost in the
-// rounding errors of D. Such a sphere is drawn as a spot that is larger than the sphere, with hits
-// that are too near or too far. Here, these spots are larger than a pixel, and are scattered around
-// the surface of a larger ball.
+// rounding errors of the discriminant D. Such a sphere is drawn as a spot that is larger than the
+// sphere, and the hits in the spot are too near or too far. Here, the field of view is so narrow
+// that these spots are larger than a pixel. The small spheres are close to the surface of a larger
+// ball.
 #[test]
 fn fast_draws_the_bytes_of_render_where_rounding_errors_are_larger_than_the_spheres() {
     test_law(16, |random| {

@@ -20,9 +20,9 @@ fn tree_finds_the_same_hits_as_the_loop_with_few_intersections() {
         hit_count += usize::from(hit.is_some());
     }
     assert!(hit_count > ray_count / 4);
-    // The loop intersects 1000 spheres per ray. The limit for the tree is tight: a search would
-    // exceed it by beginning with the farther half of a box, or by entering boxes behind the
-    // nearest hit.
+    // The loop intersects 1000 spheres per ray. The limit for the tree is 1.5 spheres per ray. This
+    // limit is tight: a search that begins with the farther half of a box would exceed the limit,
+    // and so would a search that enters boxes behind the nearest hit.
     let count = intersections.get();
     assert!(2 * count < 3 * ray_count, "{count} spheres for {ray_count} rays");
 }

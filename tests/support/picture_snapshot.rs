@@ -20,9 +20,9 @@ pub fn assert_picture_snapshot(name: &str, picture: &RgbImage, assert_png: impl 
     let mut settings = Settings::clone_current();
     settings.set_prepend_module_to_snapshot(false);
     settings.set_omit_expression(true);
-    // The description says where the comparison is saved if the target folder is the default
-    // folder. We don't mention a custom target folder, because the description is part of the
-    // snapshot, which has to be the same on every machine.
+    // The description is the comparison's path in the default target folder. We don't mention a
+    // custom target folder, because the description is part of the snapshot, and the snapshot has
+    // to be the same on every machine.
     settings.set_description(format!("target/differences/{name}.png"));
     let mismatch = describe_and_save_mismatch(name, picture);
     match &mismatch {

@@ -66,8 +66,9 @@ fn read_step_sources() -> Result<BTreeMap<String, String>, Box<dyn Error>> {
     Ok(files)
 }
 
-/// Rewrites a source file of a step. In the result, each place first asks for the value of the
-/// reader's line, and a failed `debug_assert!` stops the drawing instead of crashing the module.
+/// Rewrites a source file of a step. In the result, each place has the value of the reader's
+/// line, if the reader has edited the place. A failed `debug_assert!` stops the drawing instead of
+/// crashing the module.
 ///
 /// The steps themselves have no hook for the reader's lines, because the book shows all of their
 /// source. So a few words of their source are replaced, and the result is compiled as a second

@@ -77,7 +77,7 @@ pub struct PositionPair {
 /// A problem whose answer hasn't begun yet.
 #[derive(Debug)]
 pub struct OpenProblem {
-    /// The problem's number and answer, or None if the first line is an error.
+    /// The problem's number and answer, or None if the first line contains an error.
     pub number_and_answer: Option<NumberAndAnswer>,
     /// The start of the problem's first line.
     pub start: usize,

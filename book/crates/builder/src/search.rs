@@ -12,9 +12,8 @@ use std::iter;
 /// the file explain its format.
 pub const READER_WORDS: &str = include_str!("../search_words.txt");
 
-/// Returns the script that contains the text of the book for the search in book/theme/search.js.
-/// The script contains three arrays: pages, hints, and groups of synonyms. Each entry is an array
-/// as well:
+/// Returns the script with the data that book/theme/search.js searches. The data consists of three
+/// arrays: pages, hints, and groups of synonyms. Each entry is an array as well:
 ///
 /// - A page consists of a name, a title, and sections.
 /// - A section consists of an id, a title, prose, listings, and the phrases by which readers look

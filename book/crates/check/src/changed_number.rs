@@ -62,8 +62,8 @@ fn numbers_in_typed_range(
     numerators.map(move |numerator| f64::from(numerator) / f64::from(steps_per_unit))
 }
 
-/// Formats a quantity as it is typed in Rust: `-2.5`, or `(1, -2.5, 0)`. The quantity belongs to
-/// the owner with index `owner_index`, for example to an object.
+/// Formats a quantity with hyphens as minus signs: `-2.5`, or `(1, -2.5, 0)`. The quantity belongs
+/// to the owner with index `owner_index`, for example to an object.
 pub(crate) fn format_quantity(
     quantity: &Quantity,
     own_scene: &OwnScene,

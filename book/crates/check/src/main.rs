@@ -21,8 +21,8 @@ use std::{env, fs};
 /// and reports which of them are right.
 ///
 /// The exit code is 0 if everything is right, 1 if something is wrong, and 2 if
-/// something is missing or unreadable. With --in, it is also 2 if something was
-/// not looked at, or if there is a note on a student.
+/// something is missing or unreadable. With --in, the exit code is also 2 if
+/// something was not looked at, or if there is a note on a student.
 #[derive(Parser)]
 #[command(name = "check", after_help = format!("Names: {}", names_of_right_pictures().join(", ")))]
 #[command(group = ArgGroup::new("use_of_names").args(["folder", "out"]))]
@@ -81,8 +81,8 @@ type AnyError = Box<dyn Error + Send + Sync>;
 enum Task {
     /// `check FILE`: checks one picture.
     CheckFile { file: PathBuf, expected: ExpectedPicture },
-    /// `check`: checks the pictures of the course that are in the current folder. Also reports
-    /// which of the `required` pictures are missing.
+    /// `check`: checks the reader's own pictures in the current folder. Also reports which of the
+    /// `required` pictures are missing.
     CheckFolder { required: Vec<&'static str> },
     /// `check --in FOLDER`: checks the pictures of a class. If the students' names are given, also
     /// says whose folder is missing.

@@ -49,19 +49,19 @@ pub(crate) struct Options {
     /// The number of pixels that were compared: all pixels, unless comparing all would take too
     /// many rays.
     compared_count: usize,
-    /// Whether the picture is one colour. Many options produce such a picture.
+    /// Whether the picture is one colour. Many choices of options produce such a picture.
     is_one_colour: bool,
 }
 
 impl Options {
-    /// Whether the angle has at most one decimal, so that somebody is likely to type it.
+    /// Whether the angle has at most one decimal. Hardly anybody types more decimals.
     pub fn has_at_most_one_decimal(&self) -> bool {
         let tenths = 10.0 * self.fov_degrees;
         tenths == tenths.round()
     }
 
-    /// A sentence to follow the list of causes. The sentence says that a right program with these
-    /// options gives the reader's picture, too.
+    /// The sentence after the list of causes. It says that a right program with these options draws
+    /// the reader's picture, too, or may draw it if not all pixels were compared.
     pub fn same_picture_sentence(&self) -> String {
         let (columns, rows) = self.size;
         let mut options = format!("--fov {}", self.fov_degrees);

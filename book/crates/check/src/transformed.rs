@@ -84,8 +84,8 @@ fn turned_or_swapped_clauses(yours: &RgbImage, ours: &RgbImage) -> Vec<String> {
     clauses.collect()
 }
 
-/// Returns a clause, such as `enlarged 2 times`, if your picture is a part of our picture, or our
-/// whole picture enlarged.
+/// Returns a clause, such as `enlarged 2 times`, in two cases: your picture is a part of our
+/// picture, or your picture is our whole picture, enlarged.
 fn part_or_enlarged_clause(yours: &RgbImage, ours: &RgbImage) -> Option<String> {
     let ((w, h), (columns, rows)) = (yours.dimensions(), ours.dimensions());
     if let Some((i, j)) = find_corner(yours, ours) {

@@ -4,8 +4,8 @@
 use crate::comparison::{Comparison, Pixel};
 use std::collections::BTreeSet;
 
-/// Pixels are called undrawn only if there are at least this many. Likewise, a border is called one
-/// only if it surrounds at least this many pixels.
+/// The minimum number of wrong pixels of one colour that we describe. Also the minimum number of
+/// pixels that a border has to surround.
 const MIN_PIXELS: usize = 100;
 
 /// The maximum number of rectangles that a sentence names.
@@ -18,12 +18,12 @@ const LARGEST_PERIOD: u32 = 64;
 const BLACK: [u8; 3] = [0; 3];
 const WHITE: [u8; 3] = [255; 3];
 
-/// Describes black or white wrong pixels that form a simple shape. Black pixels may never have been
-/// drawn. The sentence about white pixels doesn't say that, since too much light also makes pixels
-/// white.
+/// Describes black or white wrong pixels that form a simple shape. The sentence about black pixels
+/// may add `as if never drawn`. The sentence about white pixels never adds this phrase, because too
+/// much light also makes pixels white.
 ///
-/// Black pixels that form no simple shape are described only on two conditions: every wrong pixel
-/// is black, and the sky has both wrong and right pixels.
+/// Black pixels that form no simple shape are described only if the picture is drawn from a scene,
+/// every wrong pixel is black, and the sky has both wrong and right pixels.
 pub(crate) fn undrawn_sentence(comparison: &Comparison) -> Option<String> {
     black_pixels_sentence(comparison).or_else(|| white_shape_sentence(comparison))
 }

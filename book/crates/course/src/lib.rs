@@ -12,7 +12,7 @@
 //!   together on a page, a table of the numbers in a scene, and the names of the lights.
 //! - `pictures`: reads the locked pictures, hashes a picture, describes or draws the difference
 //!   between two pictures, and encodes PNG files.
-//! - `workspace`: finds the project's folders, names the pages' WebAssembly modules, prepares
+//! - `workspace`: finds the project's folders, lists the pages' WebAssembly modules, prepares
 //!   commands that run Cargo, reads the environment variables that control the tests, and replaces
 //!   files atomically.
 //! - `hash.rs`, `html.rs`, `json.rs` and `terminal.rs`: a hash function, an HTML escaper, a JSON

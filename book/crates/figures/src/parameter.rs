@@ -18,7 +18,7 @@ pub struct Parameter {
     pub label: String,
     /// The unit, such as °. Empty if there is none.
     pub unit: &'static str,
-    /// The default value, which the printed book also uses.
+    /// The default value. Printed pages show the figure with this value.
     pub default: f64,
     /// The smallest and the largest allowed value.
     pub range: [f64; 2],

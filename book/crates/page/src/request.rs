@@ -85,7 +85,7 @@ pub enum RequestError {
     /// No place has this name.
     #[error("There is no place “{0}” to edit.")]
     UnknownPlace(String),
-    /// A request about a figure has no reply.
+    /// The request is about a figure, and there is no reply to it.
     #[cfg(feature = "live")]
     #[error(transparent)]
     Figure(#[from] FigureRequestError),

@@ -29,7 +29,8 @@ pub(crate) struct Feedback {
     pub verdict: FileVerdict,
     /// Empty if the picture is right and there is nothing unusual about the file.
     pub sentence: String,
-    /// All changes we know of that reproduce the picture.
+    /// The causes that we found. With any one of these changes, a right program draws exactly the
+    /// student's picture.
     pub causes: Vec<Cause>,
 }
 

@@ -25,8 +25,8 @@ pub fn locked_picture_path(name: &str) -> PathBuf {
 pub fn read_locked_picture(name: &str) -> Result<RgbImage, LockedPictureError> {
     let path = locked_picture_path(name);
     let file = fs::read(&path).map_err(ImageError::from);
-    // Don't use `image::open`, which reads from a different type. The generic decoders of the crate
-    // `image` would be compiled a second time for that type.
+    // Don't use `image::open`. It reads from a `BufReader<File>`, so the generic decoders of the
+    // crate `image` would be compiled for that type as well as for bytes in memory.
     let picture = file.and_then(|file| image::load_from_memory(&file));
     match picture {
         Ok(picture) => Ok(picture.into_rgb8()),

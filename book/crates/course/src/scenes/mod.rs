@@ -1,6 +1,6 @@
-//! Scenes other than step 5's: the scene that a reader puts together, with a table of its numbers,
-//! and the scene that is generated from a person's name. This folder also has the names of the
-//! steps' lights.
+//! Scenes other than step 5's: the scene that a reader puts together, and the scene that is
+//! generated from a person's name. This folder also has a table of the numbers in a scene, and the
+//! names of the steps' lights.
 
 mod light_names;
 mod named_scene;

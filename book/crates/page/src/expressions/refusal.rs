@@ -28,7 +28,7 @@ pub enum Fault {
     // Faults in the text.
     #[error("That's longer than a line should be.")]
     LongText,
-    #[error("A control character is here, which nobody sees.")]
+    #[error("This is a control character, which is invisible.")]
     ControlCharacter,
     #[error(
         "A page can't read {0}. Rust has a * b, a.dot(b), a / b, a - b, .powi(2), .sqrt(), \
