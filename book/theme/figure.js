@@ -111,8 +111,8 @@
             // How many milliseconds it takes to draw the picture with all columns. This is a guess
             // until the picture has been drawn.
             this.fullDrawingTime = 2 * FRAME;
-            // The shortest `fullDrawingTime` so far. It's the most reliable, because interruptions can
-            // only make a time longer.
+            // The shortest `fullDrawingTime` so far. It's the most reliable, because interruptions
+            // can only make a time longer.
             this.leastDrawingTime = Infinity;
             this.restTimer = 0;
             this.addressTimer = 0;

@@ -15,7 +15,7 @@ use step01_rays::Camera;
 use support::{camera, locked_pictures};
 
 /// Declares programs as modules. The macro hides the modules from rustfmt. Otherwise, rustfmt would
-/// format the programs' files with our settings instead of the steps'.
+/// format the programs' files with the workspace's settings instead of `steps/.rustfmt.toml`.
 macro_rules! programs {
     ($($name:ident: $path:literal,)*) => {
         $(#[allow(dead_code, reason = "`main` is never called here")] #[path = $path] mod $name;)*

@@ -100,8 +100,8 @@ fn run_workflow(folder: &Path, required: &str) -> Result<String> {
     fs::create_dir_all(grade.join("class/drawn")).expect("the folder can be created");
     run_bash(&draw, "git clone --quiet ../../ada student", &[])
         .expect("the repository can be cloned");
-    // Give the job its own copy of the course's steps. A student's program could overwrite the files
-    // in the job's folder `course`, and the real steps must stay as they are.
+    // Give the job its own copy of the course's steps. A student's program could overwrite the
+    // files in the job's folder `course`, and the real steps must stay as they are.
     let course = workspace();
     let copy = "cp -R \"$COURSE\"/steps course";
     run_bash(&draw, copy, &[("COURSE", course.to_str().expect("the path is UTF-8"))])

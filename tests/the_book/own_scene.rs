@@ -23,9 +23,9 @@ fn own_scene_figure() -> (&'static Figure, &'static EditableScene) {
     (figure, figure.editable_scene.as_ref().expect("the figure has an editable scene"))
 }
 
-/// At first, the page shows the file of the example `own_scene`. Once a reader changes the scene,
-/// the page shows a program that the page writes for the changed scene. So for the unchanged scene,
-/// file and program have to be the same.
+/// The page's HTML contains the file of the example `own_scene`. A script replaces this text with
+/// the program that is generated for the reader's scene. For the unchanged scene, the program has
+/// to be the same as the file. Otherwise the text would change although the scene hasn't.
 #[test]
 fn program_of_the_unchanged_scene_is_the_example() {
     let (figure, scene) = own_scene_figure();

@@ -79,8 +79,8 @@ fn read_step_sources() -> Result<BTreeMap<String, String>, Box<dyn Error>> {
 /// - The function that replaces `debug_assert!` takes the same arguments: a condition and a
 ///   sentence.
 ///
-/// If a change to a step breaks a replacement, the copy either fails to compile or draws a different
-/// picture. One test draws a picture for every place, and compares it with the locked picture.
+/// If a change to a step breaks a replacement, the copy fails to compile or draws a wrong picture.
+/// One test draws a picture for every place, and compares it with the locked picture.
 /// Another test reports any place whose code isn't found. This function skips such a place instead
 /// of failing the build, because that test couldn't run after a failed build.
 fn with_editable_places_and_refusing_asserts(text: &str, file: &str, places: &[Place]) -> String {

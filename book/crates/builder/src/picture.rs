@@ -136,8 +136,8 @@ pub fn image_html(
     ))
 }
 
-/// Returns the HTML of a figure around a picture, whose HTML is `image`. `caption` is Markdown, and
-/// may be empty. A live figure also gets controls, and a preview gets a hint.
+/// Returns the HTML of a figure that contains a picture. `image` is the picture's HTML. `caption`
+/// is Markdown, and may be empty. A live figure also gets controls, and a preview gets a hint.
 pub fn figure_html(
     image: &str,
     caption: &str,

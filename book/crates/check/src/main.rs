@@ -251,7 +251,8 @@ fn required_names_in_order(require: &[String]) -> Vec<&'static str> {
         .collect()
 }
 
-/// Checks one picture. If the answer can draw the difference, saves a picture of the difference.
+/// Checks one picture. If the answer contains two pictures to compare, also saves a picture of the
+/// difference.
 fn check_file_and_save_difference(
     file: &Path,
     expected: &ExpectedPicture,

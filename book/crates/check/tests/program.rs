@@ -9,7 +9,7 @@ use std::path::Path;
 use std::process::{Command, Output};
 
 /// Runs `check` with these arguments in this folder. Returns the command, and a text with the exit
-/// code and all output.
+/// code and the output.
 pub fn run_check(folder: &Path, arguments: &[&str]) -> TitledAnswer {
     let mut command = Command::new(env!("CARGO_BIN_EXE_check"));
     let output = command.current_dir(folder).args(arguments).output().expect("`check` can be run");
@@ -18,7 +18,8 @@ pub fn run_check(folder: &Path, arguments: &[&str]) -> TitledAnswer {
     let code = status.code().unwrap_or(-1);
     let stream = if error.is_empty() { "" } else { ", standard error" };
     let text = format!("[exit code {code}{stream}]\n{out}{error}");
-    // Cut off the path after `side by side:`, which differs between machines.
+    // The text after `side by side:` begins with a path that differs between machines. Cut off this
+    // text.
     let text = text.split_inclusive("side by side:").next().unwrap_or_default();
     (format!("check {}", arguments.join(" ")), text.to_owned())
 }

@@ -57,7 +57,8 @@ pub enum Mark {
     Point,
     /// A dotted ring that moves a light.
     Light,
-    /// A cross at the pixel whose trace the page shows. Dragging a probe doesn't change the picture.
+    /// A cross at the pixel whose trace the page shows. Dragging the cross doesn't change the
+    /// picture.
     Probe,
 }
 

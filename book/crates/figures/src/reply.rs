@@ -192,7 +192,7 @@ pub fn rgba_bytes(image: &RgbImage) -> Vec<u8> {
 mod tests {
     use super::*;
 
-    /// Parses the values of a request, which are written as in an address.
+    /// Parses an address, such as `i:1,j:2`, into the values of a request.
     fn parse_values(text: &str) -> Vec<(String, f64)> {
         let parts = text.split(',').filter_map(|part| part.split_once(':'));
         parts.map(|(id, value)| (id.to_owned(), value.parse().expect(text))).collect()

@@ -231,8 +231,8 @@ mod tests {
         lines.map(|(place, text)| EditedLine { place: place.to_owned(), text: text.to_owned() })
     }
 
-    /// Replies to a request to draw these lines. Each line is given as the name of its place and its
-    /// text.
+    /// Replies to a request to draw these lines. Each line is a pair: the name of the line's place,
+    /// and the line's text.
     fn reply<const N: usize>(columns: u32, lines: [(&str, &str); N]) -> Reply {
         edit(columns, &edited_lines(lines)).expect("the request is valid")
     }

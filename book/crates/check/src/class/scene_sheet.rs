@@ -70,7 +70,7 @@ struct SceneSheet {
 struct ProblemPixel {
     position: (u32, u32),
     ray: Ray,
-    /// The first hit on each ball that the ray meets, in the order of the scene.
+    /// The first hit on each ball that the ray meets, in the order of the scene's objects.
     balls: Vec<ObjectHit>,
     /// The hit that the pixel shows.
     visible: ObjectHit,

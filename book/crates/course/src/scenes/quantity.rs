@@ -368,7 +368,8 @@ const fn xyz(
     ])
 }
 
-/// The three coordinates of the position of an object or a light, each with its component.
+/// The three coordinates of the position of an object or a light. [`Scalar::component`] says which
+/// coordinate each number is.
 const fn position(property: Property, ranges: [[f64; 2]; 3]) -> [Scalar; 3] {
     let [x, y, z] = xyz(property, ["sideways", "upwards", "towards you"], ranges);
     [
@@ -378,7 +379,8 @@ const fn position(property: Property, ranges: [[f64; 2]; 3]) -> [Scalar; 3] {
     ]
 }
 
-/// The three channels of the colour of an object or a light, each with its component.
+/// The three channels of the colour of an object or a light. [`Scalar::component`] says which
+/// channel each number is.
 const fn colour(property: Property, max: f64) -> [Scalar; 3] {
     let [red, green, blue] = rgb(property, ["red", "green", "blue"], max);
     [

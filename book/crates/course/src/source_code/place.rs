@@ -115,8 +115,8 @@ impl PlaceNote {
 ///
 /// # Panics
 ///
-/// Panics if a line in places.txt is malformed. That can't happen in a finished program: the file
-/// is compiled in, and the build of `page` fails if a line is malformed.
+/// Panics if a line in places.txt is malformed. Then the build of `page` fails, because the build
+/// script of `page` calls this function.
 pub fn all_listed_places() -> Vec<Place> {
     match parse_places(include_str!("../../places.txt")) {
         Ok(places) => places,

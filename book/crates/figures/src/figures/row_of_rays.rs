@@ -52,7 +52,7 @@ fn row(values: &ParameterValues) -> Row {
     row
 }
 
-/// Maps the plane to the drawing. A wide row is drawn at a smaller scale.
+/// Maps the plane of the rays to the drawing. If the field of view is wide, the scale is smaller.
 fn view(row: &Row) -> View {
     let tan = -row.direction(0.0).x;
     View { origin: ORIGIN, scale: DVec2::splat(205.0 * (0.84 / tan).min(1.0)) }
