@@ -318,8 +318,8 @@ const book = /** @type {any} */ ({ root: document.documentElement });
         form.hidden = false;
     }
 
-    // Make elements that may scroll sideways focusable, so that readers can scroll them with the
-    // keyboard.
+    // Some elements may scroll sideways. Make these elements focusable, so that readers can scroll
+    // them with the keyboard.
     document.querySelectorAll("main :is(pre, .table-wrapper)").forEach(part => { part.tabIndex = 0; });
 
     // Not all browsers take a figure's accessible name from its caption, so refer each figure to

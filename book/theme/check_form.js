@@ -44,7 +44,7 @@
         return [report, book.make("span", { class: "panels" }, ...panels)];
     }
 
-    // Makes a form check each file that a reader chooses in the form. Returns a function that
+    // Sets up a form so that each file that a reader chooses in it is checked. Returns a function that
     // checks the first of some dropped files.
     /** @param {HTMLFormElement} form @returns {(files: FileList) => void} */
     function activate(form) {

@@ -96,7 +96,7 @@
             /** @type {HTMLImageElement} */
             const initialImage = this.root.querySelector("svg, img");
             const size = ["width", "height"].map(side => Number(initialImage.getAttribute(side)));
-            // On the cover, this divisor is less than 1, because the initialImage picture has more
+            // On the cover, this divisor is less than 1, because the picture in the HTML has more
             // columns than are drawn while something moves.
             this.restDivisor = this.about.columns ? this.about.columns / size[0] : 1;
             this.size = size.map(side => side * this.restDivisor);
@@ -375,7 +375,7 @@
             book.colourCode(this.code);
         }
 
-        // Marks the lines of the program that the last change has added.
+        // Marks the lines that the last change has added to the program.
         markChangedLines() {
             if (!this.oldLines) return;
             const ranges = [];
@@ -448,7 +448,7 @@
             this.panel.classList.toggle("tool", isOpen);
         }
 
-        // Moves the probe to any point of the picture that is pressed.
+        // When the reader presses a point of the picture, moves the probe to that point.
         followPresses() {
             /** @type {HTMLButtonElement | null} */
             this.copyLink = null;
@@ -487,9 +487,9 @@
     const figures = new Map();
 
     // An ordinary figure becomes interactive when it comes near the view. A preview becomes
-    // interactive only when a reader points at the preview. The module is loaded only at that time.
-    // If loading fails, the page says why. Five seconds later, the page tries again as soon as the
-    // figure is near the view.
+    // interactive only when a reader points at it, presses it or focuses it. The module is loaded
+    // only at that time. If loading fails, the page says why. The page waits five seconds, and then
+    // tries again as soon as the figure is near the view.
     /** @param {HTMLElement} root */
     book.activateFigure = async root => {
         const controls = root.querySelector(".controls");

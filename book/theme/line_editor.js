@@ -7,12 +7,12 @@
 // all edited lines keep their text.
 {
     const SMALL = 320, LARGE = 640; // The columns of a picture while the reader types, and at rest.
-    const REST = 300; // Rest begins this many milliseconds after the last key press.
+    const REST_DELAY = 300; // Rest begins this many milliseconds after the last key press.
 
     // Finds a line by its name. Call this function instead of storing the element, because
     // colouring a listing replaces the elements of its lines.
     /** @type {(name: string) => EditedLine} */
-    const find = name => document.querySelector(`[data-line="${name}"]`);
+    const findLine = name => document.querySelector(`[data-line="${name}"]`);
     /** @type {EditedLine | null} */
     let selected = null;
     // The states for Undo and Redo. A state consists of the texts of the edited lines, keyed by the
@@ -23,19 +23,19 @@
     // What is wrong with the link that the reader followed, if anything.
     let linkFault = "";
     // A sentence that says what the last Undo or Redo did. It is cleared when the reader types.
-    let undone = "";
+    let undoMessage = "";
 
     /** @type {(words: string, act: () => void, label?: string) => HTMLButtonElement} */
     const button = (words, act, label = words) => {
-        const one = book.make("button", { type: "button", "class": "reset", "aria-label": label, title: label }, words);
-        one.addEventListener("click", act);
-        return one;
+        const element = book.make("button", { type: "button", "class": "reset", "aria-label": label, title: label }, words);
+        element.addEventListener("click", act);
+        return element;
     };
     const canvas = book.make("canvas", { role: "img", "aria-label": "the picture with your lines", width: LARGE, height: LARGE * 9 / 16 });
     const status = book.make("p", { role: "status" });
     const undo = button("↶", () => show(-1), "Undo");
     const redo = button("↷", () => show(1), "Redo");
-    const reset = button("Reset", () => { undone = ""; setText(selected, selected.dataset.book); selected.focus(); draw(LARGE); });
+    const reset = button("Reset", () => { undoMessage = ""; setText(selected, selected.dataset.book); selected.focus(); draw(LARGE); });
     const copyLine = button("Copy line", () => book.copyAndReport(copyLine, readText(selected), "Line copied"));
     const copyLink = button("Copy link", () => { record(); book.copyAndReport(copyLink, location.href, "Link copied"); });
     const close = button("✕", () => { const line = selected; deselect(); line.focus(); }, "Close");
@@ -143,7 +143,7 @@
             line.closest("figure").after(tool);
         });
         selected = line;
-        undone = "";
+        undoMessage = "";
         keepBook(line);
         line.ariaCurrent = "true";
         document.querySelector(".line.first")?.classList.remove("first");
@@ -185,11 +185,11 @@
         record();
         if (!states.has(edits)) return;
         const [before, after] = [states.go(0), states.go(edits)];
-        const differ = Object.keys({ ...before, ...after }).filter(name => before[name] !== after[name]).map(find);
+        const differ = Object.keys({ ...before, ...after }).filter(name => before[name] !== after[name]).map(findLine);
         for (const line of differ) setText(line, after[line.dataset.line] ?? line.dataset.book);
         select(differ[0]);
         const file = differ[0].closest("figure").querySelector(".path b").textContent;
-        undone = `${edits < 0 ? "Undone" : "Redone"} in ${file}. `;
+        undoMessage = `${edits < 0 ? "Undone" : "Redone"} in ${file}. `;
         differ[0].focus({ preventScroll: true });
         getSelection().selectAllChildren(differ[0]);
         getSelection().collapseToEnd();
@@ -202,10 +202,10 @@
     }
 
     function drawSoon() {
-        linkFault = undone = "";
+        linkFault = undoMessage = "";
         clearLine();
         draw(SMALL);
-        restTimer = setTimeout(draw, REST, LARGE);
+        restTimer = setTimeout(draw, REST_DELAY, LARGE);
     }
 
     // Whether a text contains control characters other than line breaks and tabs. Such characters
@@ -224,7 +224,7 @@
             return say("This line contains an invisible control character. Reset brings back the book’s line.");
         }
         const others = findEdited().filter(other => other !== line && !hasControl(readText(other)));
-        const lines = [line, ...others].map(one => ({ place: one.dataset.line, text: readText(one) }));
+        const lines = [line, ...others].map(edited => ({ place: edited.dataset.line, text: readText(edited) }));
         /** @type {EditReply} */
         let reply;
         try {
@@ -243,17 +243,17 @@
         if (reply.size) book.paint(canvas, reply);
         if (columns !== LARGE) return;
         record();
-        // If the reader has scrolled away in the meantime, don't scroll back.
+        // If the reader has scrolled the line out of view, don't scroll back to the line.
         const { top, bottom } = line.getBoundingClientRect();
         const isInView = bottom > 0 && top < innerHeight;
-        const wrong = reply.line ? find(reply.line) : null;
+        const wrong = reply.line ? findLine(reply.line) : null;
         mark(wrong, reply.from, reply.to);
         if (wrong) {
-            say(undone + (wrong === line ? reply.fault : `In another line of yours: ${reply.fault}`));
+            say(undoMessage + (wrong === line ? reply.fault : `In another line of yours: ${reply.fault}`));
         } else if (isBook(line)) {
-            say(undone + (linkFault || `This is the book’s line. Change it: there are numbers, operators, methods such as .sin(), if, let, and these names:\n${reply.names.join(", ")}`));
+            say(undoMessage + (linkFault || `This is the book’s line. Change it: there are numbers, operators, methods such as .sin(), if, let, and these names:\n${reply.names.join(", ")}`));
         } else {
-            say(undone + (reply.note || "Drawn with what you wrote. The address of the page holds it now."));
+            say(undoMessage + (reply.note || "Drawn with what you wrote. The address of the page holds it now."));
         }
         if (isInView) keepInView();
     }
@@ -272,8 +272,9 @@
         status.append(" ", names);
     }
 
-    // Scrolls so that the line and the panel are in view. If the panel is below the listing, leaves
-    // room for the panel, which would otherwise cover the line.
+    // Scrolls so that the panel is in view, and the line if it has the focus. A panel that isn't
+    // beside the listing stays at the bottom of the window, where it could cover the line. So the
+    // scrolling leaves room for the panel.
     function keepInView() {
         if (!selected) return;
         const isBeside = panel.getBoundingClientRect().left >= selected.closest("pre").getBoundingClientRect().right;
@@ -298,17 +299,17 @@
         const words = new URLSearchParams(location.hash.slice(1)).getAll("line");
         const places = document.querySelectorAll("[data-line]").length;
         const isTooLong = words.length > places;
-        const edits = words.slice(0, places).map(text => text.match(/^(\w+):(.*)$/s)).filter(match => match && find(match[1]));
+        const edits = words.slice(0, places).map(text => text.match(/^(\w+):(.*)$/s)).filter(match => match && findLine(match[1]));
         if (!edits.length) return;
         linkFault = edits.some(([, , text]) => hasControl(text)) ? "The link contains an invisible control character, so no line was changed."
             : isTooLong ? `The link has ${words.length} edits, but this page has only ${places} editable lines, so no line was changed.` : "";
         const isLoaded = await book.load("highlight.js");
-        const codes = edits.map(([, name]) => find(name).closest("code"));
+        const codes = edits.map(([, name]) => findLine(name).closest("code"));
         for (const code of isLoaded ? codes : []) {
             if (!code.matches(".hljs") && !code.querySelector("[data-book]")) book.colourCode(code);
         }
-        if (!linkFault) for (const [, name, text] of edits) setText(find(name), text.replace(/\u00a0/g, " "));
-        const line = find(edits[0][1]);
+        if (!linkFault) for (const [, name, text] of edits) setText(findLine(name), text.replace(/\u00a0/g, " "));
+        const line = findLine(edits[0][1]);
         for (let box = line.closest("details"); box; box = box.parentElement.closest("details")) box.open = true;
         /** @type {HTMLElement} */ (line.closest("main > *")).style.contentVisibility = "visible";
         select(line);

@@ -23,7 +23,7 @@
     /** @type {(text: string) => string[]} */
     const findWords = text => straighten(text).match(WORD) ?? [];
     // Stop words: they say nothing about the subject of a query.
-    const SMALL_WORDS = new Set(findWords(`a about again all also although always am an and any anybody anything are
+    const STOP_WORDS = new Set(findWords(`a about again all also although always am an and any anybody anything are
         aren around as at be been but by came can come comes completely could couldn did didn do does doesn don entire
         even ever every everything for from gave get gets give gives go goes got had happen happens has hasn have haven
         how i if in instead into is isn it its just know like look looking looks lot make makes making many matter me
@@ -40,9 +40,9 @@
 
     // The ending of a plural. The last letter of "is", "axis", "less" and "radius" isn't such an ending.
     const PLURAL = /(?<=..[^isu])s$/;
-    // The suffixes that are removed from a word, so that the word's other forms are found, too. The rest of the word
-    // must have at least four letters, and a vowel that isn't its last letter. So "string", "ring" and "red" stay
-    // whole.
+    // The suffixes that are removed from a word, so that the word's other forms are found, too. The
+    // rest of the word must have at least four letters, with a vowel before the last letter. So
+    // "string", "ring" and "red" stay whole.
     const ENDING = /(?<=[aeiouy].*.)(?<=....)(ation|ate|ion|ive|ing|ed|er|ier|iness|ness|e|l?y)$/;
 
     // Returns a word in lower case, in the spelling that the search uses, and without the ending of
@@ -76,7 +76,7 @@
     // only stop words, returns their stems.
     /** @param {string} text */
     function findSubjects(text) {
-        const words = findWords(text), subjects = words.filter(word => !SMALL_WORDS.has(word.toLowerCase()));
+        const words = findWords(text), subjects = words.filter(word => !STOP_WORDS.has(word.toLowerCase()));
         return [...new Set((subjects.length ? subjects : words).slice(0, MOST_WORDS).map(stem))];
     }
 
@@ -289,7 +289,7 @@
     const makeLink = ({ page, id, chapter, title }) =>
         book.make("a", { href: `${book.root.dataset.root}${page}#${id}` }, title === chapter ? title : `${chapter}: ${title}`);
 
-    // Makes the list item of the section at an address, with a sentence that says what to do.
+    // Makes a list item with a link to the section at an address, and a sentence of advice.
     /** @param {string} address @param {string} sentence */
     function makeHint(address, sentence) {
         const section = sections.find(({ page, id }) => `${page}#${id}` === address);
@@ -297,8 +297,9 @@
         return book.make("li", {}, makeLink(section), book.make("span", { class: "teaser" }, ...words));
     }
 
-    // Makes the list item of a section: its title, and the text around the first word that matches. The text of a
-    // mistake begins with the sentence about the mistake's picture.
+    // Makes the list item of a section: a link, and the text around the first word that matches. If
+    // the section is about a mistake, the alt text of the mistake's picture comes before the prose.
+    // Alt texts are the only phrases that end with a full stop.
     /** @param {Result} result */
     function makeItem({ id, terms }) {
         const { prose, listings, phrases } = sections[id];
@@ -327,8 +328,8 @@
     box.querySelector("button").addEventListener("click", () => box.close());
     field.addEventListener("input", show);
     box.addEventListener("close", keepQuery);
-    // A click outside the dialog closes the search. A click that began inside the dialog doesn't, because such a click
-    // selects text.
+    // A click outside the dialog closes the search, unless the pointer was pressed inside. In that
+    // case, the reader was selecting text.
     const isOutside = (/** @type {MouseEvent} */ { clientX: x, clientY: y }) => {
         const { left, right, top, bottom } = box.getBoundingClientRect();
         return x < left || right < x || y < top || bottom < y;
@@ -338,17 +339,19 @@
     box.addEventListener("click", event => {
         if (beganOutside && event.target === box && isOutside(event)) box.close();
     });
-    // Enter opens the first result, which may be on this page.
+    // Enter opens the first result.
     field.form.addEventListener("submit", event => {
         event.preventDefault();
         list.querySelector("a")?.click();
     });
+    // A result may be on this page, so a click on a result closes the search.
     list.addEventListener("click", event => {
         if (/** @type {Element} */ (event.target).closest("a")) box.close();
     });
     addEventListener("keydown", event => {
         const target = /** @type {HTMLElement} */ (event.target);
-        // Until the page is drawn again, the field of a closed search still has the focus.
+        // After the search closes, its field keeps the focus until the page is drawn again. The
+        // reader isn't typing at that time.
         const isTyping = target.isContentEditable || (/^(input|select|textarea)$/i.test(target.nodeName) && (box.open || target !== field));
         const step = { ArrowDown: 1, ArrowUp: -1 }[event.key];
         const isControlK = (event.ctrlKey || event.metaKey) && event.key.toLowerCase() === "k";

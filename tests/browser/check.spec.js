@@ -28,10 +28,10 @@ for (const [name, asked] of forms.filter(([, , k]) => k === 0)) {
     await expect(input).toHaveValue('');
     // A file that is dropped beside the forms goes to the nearest form, which is the first form
     // here.
-    const mayBrowserOpenIt = await page.locator('h1').evaluate(one => {
+    const mayBrowserOpenIt = await page.locator('h1').evaluate(element => {
       const dataTransfer = new DataTransfer();
       dataTransfer.items.add(new File(['no picture'], 'notes.txt'));
-      return one.dispatchEvent(new DragEvent('drop', { dataTransfer, bubbles: true, cancelable: true }));
+      return element.dispatchEvent(new DragEvent('drop', { dataTransfer, bubbles: true, cancelable: true }));
     });
     expect(mayBrowserOpenIt).toBe(false);
     await expect(output).toContainText('is not a PNG');
@@ -44,7 +44,7 @@ test('what is plain to see comes first, with a link to the section to read again
   const form = page.locator('form[data-check]').first();
   await form.and(page.locator(':not([hidden])')).waitFor({ state: 'attached' });
   // Draws the right picture upside down, and drops the result on the form.
-  await form.evaluate(async one => {
+  await form.evaluate(async element => {
     const image = Object.assign(new Image(), { src: 'generated/step02_sphere.png' });
     await image.decode();
     const canvas = new OffscreenCanvas(image.width, image.height);
@@ -53,7 +53,7 @@ test('what is plain to see comes first, with a link to the section to read again
     context.drawImage(image, 0, -image.height);
     const dataTransfer = new DataTransfer();
     dataTransfer.items.add(new File([await canvas.convertToBlob()], 'step02_sphere.png'));
-    one.dispatchEvent(new DragEvent('drop', { dataTransfer, bubbles: true, cancelable: true }));
+    element.dispatchEvent(new DragEvent('drop', { dataTransfer, bubbles: true, cancelable: true }));
   });
   const headline = 'Not right. This is the picture of step02_sphere, upside down.';
   await expect(form.locator('output b')).toHaveText(headline, { timeout: 20_000 });

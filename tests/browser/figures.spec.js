@@ -8,7 +8,7 @@ test('Home and End move a handle as far as it goes, without an error message', a
   await makeReady(figure);
   const handle = figure.getByRole('slider', { name: 'the start S' });
   await handle.focus();
-  const position = () => handle.evaluate(one => Number(one.getAttribute('aria-valuenow')));
+  const position = () => handle.evaluate(element => Number(element.getAttribute('aria-valuenow')));
   await expect(figure.locator('[data-parameter=the-start-S-x] [type=text]')).not.toHaveAttribute('inputmode');
   const [first, refused] = [await position(), figure.locator('.refused')];
   // End moves S as far as possible, but not to the maximum of 7, because the ray's tip reaches the
@@ -53,19 +53,19 @@ test('labels of drawings do not overlap at the limit of any control, and no hand
     }
     const faults = await page.evaluate(async () => {
       await document.fonts.ready;
-      const overlap = (one, other) => one.left < other.right && other.left < one.right && one.top < other.bottom && other.top < one.bottom;
+      const overlap = (element, other) => element.left < other.right && other.left < element.right && element.top < other.bottom && other.top < element.bottom;
       const findFaults = svg => {
         const { a: scale, e, f } = svg.getScreenCTM();
-        const labels = [...svg.querySelectorAll('text')].filter(one => one.textContent).map(one => {
-          const { x, width } = one.getBBox();
-          const [baseline, size] = [Number(one.getAttribute('y')), parseFloat(getComputedStyle(one).fontSize)];
+        const labels = [...svg.querySelectorAll('text')].filter(element => element.textContent).map(element => {
+          const { x, width } = element.getBBox();
+          const [baseline, size] = [Number(element.getAttribute('y')), parseFloat(getComputedStyle(element).fontSize)];
           const [left, right] = [x, x + width].map(x => scale * x + e);
           const [top, bottom] = [baseline - 0.7 * size, baseline + 0.2 * size].map(y => scale * y + f);
-          return { words: one.textContent, left, right, top, bottom };
+          return { words: element.textContent, left, right, top, bottom };
         });
         const box = svg.getBoundingClientRect();
-        const cut = labels.filter(one => one.left < box.left || one.top < box.top || one.right > box.right || one.bottom > box.bottom);
-        const boxes = selector => [...svg.parentElement.querySelectorAll(selector)].map(one => one.getBoundingClientRect());
+        const cut = labels.filter(label => label.left < box.left || label.top < box.top || label.right > box.right || label.bottom > box.bottom);
+        const boxes = selector => [...svg.parentElement.querySelectorAll(selector)].map(element => element.getBoundingClientRect());
         const [handles, cues] = [boxes('.handle:not([hidden])'), boxes('.cue')];
         // A handle is a disc. It covers a label if the distance from the disc's centre to the
         // nearest point of the label is less than the disc's radius.
@@ -75,8 +75,8 @@ test('labels of drawings do not overlap at the limit of any control, and no hand
           return Math.hypot(nearX - centreX, nearY - centreY) < width / 2;
         };
         const isCovered = label => handles.some(handle => isBelow(label, handle)) || cues.some(cue => overlap(label, cue));
-        const over = labels.filter((one, k) => isCovered(one) || labels.slice(0, k).some(other => overlap(one, other)));
-        return [...cut, ...over].map(one => one.words);
+        const over = labels.filter((element, k) => isCovered(element) || labels.slice(0, k).some(other => overlap(element, other)));
+        return [...cut, ...over].map(label => label.words);
       };
       const faults = [];
       for (const figure of document.querySelectorAll('.drawing[data-live]')) {
@@ -118,14 +118,14 @@ for (const [name, figure, k] of figures) {
     const look = async () => {
       await page.evaluate(() => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done))));
       const pictures = await root.locator('.stage > :is(img, canvas)').all();
-      const shapes = await root.locator('svg *, .handle').evaluateAll(all => all.map(one =>
-        [one.tagName, one.textContent, ...['d', 'cx', 'cy', 'r', 'x', 'y', 'style'].map(key => one.getAttribute(key))]));
+      const shapes = await root.locator('svg *, .handle').evaluateAll(all => all.map(element =>
+        [element.tagName, element.textContent, ...['d', 'cx', 'cy', 'r', 'x', 'y', 'style'].map(key => element.getAttribute(key))]));
       return JSON.stringify([shapes, await Promise.all(pictures.map(readPixels))]);
     };
     const printed = await look();
     const reset = root.locator('.reset');
     const expectReset = async gesture => {
-      await reset.evaluate(one => { one.disabled = false; one.click(); });
+      await reset.evaluate(element => { element.disabled = false; element.click(); });
       expect.soft(await look() === printed, `Reset after ${gesture} shows the figure as printed`).toBe(true);
     };
     await expectReset('nothing');
@@ -153,9 +153,9 @@ for (const [name, figure, k] of figures) {
     // unless THOROUGH=1 is set.
     for (const control of controls.slice(0, process.env.THOROUGH ? undefined : 12)) {
       await control.focus();
-      await page.keyboard.press(await control.evaluate(one => {
-        const isAtMin = one.value === one.closest('[data-parameter]').querySelector('[type=range]')?.min;
-        return { checkbox: 'Space', range: isAtMin ? 'End' : 'Home', text: isAtMin ? 'ArrowUp' : 'ArrowDown' }[one.type];
+      await page.keyboard.press(await control.evaluate(element => {
+        const isAtMin = element.value === element.closest('[data-parameter]').querySelector('[type=range]')?.min;
+        return { checkbox: 'Space', range: isAtMin ? 'End' : 'Home', text: isAtMin ? 'ArrowUp' : 'ArrowDown' }[element.type];
       }));
       await expectChange(`a key on ${await control.getAttribute('aria-label') ?? await control.locator('..').textContent()}`);
     }

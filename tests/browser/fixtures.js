@@ -50,17 +50,17 @@ export async function open(page, address) {
 // Scrolls to a figure, and waits until the figure is interactive. If the figure is in a folded box,
 // opens the box first.
 export async function makeReady(figure) {
-  await figure.evaluate(one => one.closest('details')?.setAttribute('open', ''));
+  await figure.evaluate(element => element.closest('details')?.setAttribute('open', ''));
   await figure.scrollIntoViewIfNeeded();
   await figure.and(figure.page().locator('[data-ready]')).waitFor({ timeout: 20_000 });
 }
 
 // Returns the pixels of an image or a canvas, as a data URL of a PNG file.
-export const readPixels = picture => picture.evaluate(async one => {
-  one.loading = 'eager';
-  await one.decode?.();
-  const [width, height] = [one.naturalWidth ?? one.width, one.naturalHeight ?? one.height];
+export const readPixels = picture => picture.evaluate(async element => {
+  element.loading = 'eager';
+  await element.decode?.();
+  const [width, height] = [element.naturalWidth ?? element.width, element.naturalHeight ?? element.height];
   const copy = Object.assign(document.createElement('canvas'), { width, height });
-  copy.getContext('2d').drawImage(one, 0, 0);
+  copy.getContext('2d').drawImage(element, 0, 0);
   return copy.toDataURL();
 });

@@ -12,7 +12,7 @@ async function prepare(page, home, hash = '') {
   const line = page.locator('[data-line=normal]');
   // Playwright's own scrolling first waits for the element to stop moving. Meanwhile, the syntax
   // highlighting may replace the element. So call the browser's `scrollIntoView` instead.
-  await line.evaluate(one => one.scrollIntoView({ block: 'center' }));
+  await line.evaluate(element => element.scrollIntoView({ block: 'center' }));
   const listing = page.locator('.with-margin', { has: line });
   await listing.locator('code.hljs').or(listing.locator('canvas')).first().waitFor();
   return { line, listing, status: listing.getByRole('status') };
@@ -98,7 +98,7 @@ for (const [width, height] of [[1440, 900], [1280, 720], [1000, 720], [390, 844]
   test(`the panel has one height, and does not move the line, at ${width}×${height}`, async ({ page, home }) => {
     await page.setViewportSize({ width, height });
     const { line, listing, status } = await prepare(page, home);
-    await line.evaluate(one => one.scrollIntoView({ block: 'center' }));
+    await line.evaluate(element => element.scrollIntoView({ block: 'center' }));
     const place = async () => (await line.boundingBox()).y;
     const before = await place();
     await line.click();
@@ -130,7 +130,7 @@ test('a line does not move when it is clicked and the panel comes from a listing
   const { line } = await prepare(page, home);
   const other = page.locator('[data-line=attenuation]');
   await line.click();
-  await other.evaluate(one => one.scrollIntoView({ block: 'center' }));
+  await other.evaluate(element => element.scrollIntoView({ block: 'center' }));
   await page.waitForTimeout(500); // Wait until parts that have come near the view are laid out.
   const place = async () => (await other.boundingBox()).y;
   const before = await place();
@@ -142,7 +142,7 @@ test('a line does not move when it is clicked and the panel comes from a listing
 
 test('the first editable line says that it can be edited, until the reader clicks a line, and each line has a name', async ({ page, home }) => {
   const { line } = await prepare(page, home);
-  const mark = () => page.locator('[data-line]').first().evaluate(one => getComputedStyle(one, '::after').content);
+  const mark = () => page.locator('[data-line]').first().evaluate(element => getComputedStyle(element, '::after').content);
   expect(await mark()).toContain('edit');
   await expect(line).toHaveAttribute('aria-label', 'The value of normal');
   await line.click();
@@ -153,7 +153,7 @@ for (const [width, height] of [[390, 508], [640, 400]]) {
   test(`line, message and picture are in view together at ${width}×${height}`, async ({ page, home }) => {
     await page.setViewportSize({ width, height });
     const { line, listing, status } = await prepare(page, home);
-    await line.evaluate(one => one.scrollIntoView({ block: 'end' }));
+    await line.evaluate(element => element.scrollIntoView({ block: 'end' }));
     await line.click();
     await page.keyboard.press('Home');
     await page.keyboard.type('p.nosuch() + ');
@@ -169,7 +169,7 @@ for (const [width, height] of [[390, 508], [640, 400]]) {
 test('when the on-screen keyboard covers half of a phone, the edited line stays above the panel', async ({ page, home }) => {
   await page.setViewportSize({ width: 390, height: 844 });
   const { line, listing, status } = await prepare(page, home);
-  await line.evaluate(one => one.scrollIntoView({ block: 'center' }));
+  await line.evaluate(element => element.scrollIntoView({ block: 'center' }));
   await line.click();
   await expect(status).toContainText('sphere.centre');
   await page.setViewportSize({ width: 390, height: 508 });
@@ -200,7 +200,7 @@ test('if an edited expression has several rows, their indentation is not underli
   const indents = line.locator('.indent');
   await expect(indents).toHaveCount(2);
   expect(await indents.allTextContents()).toEqual(['        ', '        ']);
-  await line.evaluate(one => one.scrollIntoView({ block: 'center' }));
+  await line.evaluate(element => element.scrollIntoView({ block: 'center' }));
   await page.locator('.with-margin', { has: line }).locator('code.hljs').waitFor();
   await line.focus();
   await page.keyboard.press('Enter');

@@ -14,8 +14,8 @@ async function findFigure(page, address) {
 }
 
 test('a module and a search index that fail to load are loaded again', async ({ browser, home }) => {
-  // Don't use the fixture's page. It fails the test if the browser reports an error, and here the
-  // browser reports that the first attempt to load a file fails.
+  // Don't use the fixture's page, which makes the test fail if the browser reports an error. Here
+  // the browser does report an error: the first attempt to load each file fails.
   const page = await browser.newPage();
   for (const file of ['live-module', 'search-index']) await page.route(`**/${file}.js`, route => route.abort(), { times: 1 });
   const figure = await findFigure(page, home + name);
@@ -47,7 +47,7 @@ for (const width of [390, 1440]) {
       window.shift = 0;
       new PerformanceObserver(list => list.getEntries().forEach(({ value }) => { window.shift += value; })).observe({ type: 'layout-shift', buffered: true });
     });
-    // The requests for fonts that are held back. Null once fonts load normally.
+    // The font requests that are held back. Null while fonts load normally.
     let held = [];
     await page.route('**/*.woff2', route => held ? void held.push(route) : route.continue());
     const names = process.env.THOROUGH ? chapters : ['how.html', 'problems.html', 'step02_practice.html', 'way_back_practice.html'];
@@ -83,7 +83,7 @@ test('a printed page is light, and forced colours do not hide the cross on a pic
   await open(page, `${home}step03_nearest.html`);
   await expect(page.locator('h1')).toHaveCSS('color', 'rgb(35, 33, 30)');
   await page.emulateMedia({ media: 'screen', forcedColors: 'active' });
-  await expect(page.locator('h1 > a')).toHaveCSS('color', await page.locator('main > p').first().evaluate(one => getComputedStyle(one).color));
+  await expect(page.locator('h1 > a')).toHaveCSS('color', await page.locator('main > p').first().evaluate(element => getComputedStyle(element).color));
   await page.locator('figure[data-live="step03_nearest"]').scrollIntoViewIfNeeded();
   await expect(page.locator('.handle-probe').first()).toHaveCSS('background-image', /gradient/, { timeout: 20_000 });
 });

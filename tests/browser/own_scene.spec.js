@@ -103,9 +103,9 @@ for (const [width, height] of [[390, 508], [1024, 700]]) {
     await page.setViewportSize({ width, height });
     await open(page, `${home}own_scene.html`);
     await page.locator('figure[data-live=own_scene][data-ready]').waitFor({ timeout: 20_000 });
-    await page.getByRole('button', { name: 'Download PNG' }).evaluate(one => one.scrollIntoView({ block: 'end' }));
+    await page.getByRole('button', { name: 'Download PNG' }).evaluate(element => element.scrollIntoView({ block: 'end' }));
     await expect(page.locator('.stage')).toBeInViewport({ ratio: 1 });
-    const sliders = await page.locator('.controls input[type=range]:visible').evaluateAll(all => all.map(one => one.clientWidth));
+    const sliders = await page.locator('.controls input[type=range]:visible').evaluateAll(all => all.map(element => element.clientWidth));
     expect(Math.min(...sliders), 'the width of a slider').toBeGreaterThan(120);
     expect(Math.max(...sliders) - Math.min(...sliders), 'the sliders are equally wide').toBeLessThanOrEqual(1);
   });
@@ -120,7 +120,7 @@ test('the first page’s picture loads nothing until the pointer is on it, a bal
     const { x, y, width } = await figure.locator('img, canvas').boundingBox();
     await page.mouse.move(x + i / 640 * width, y + j / 640 * width, { steps: 3 });
   };
-  const said = () => figure.evaluate(one => getComputedStyle(one, '::before').content);
+  const said = () => figure.evaluate(element => getComputedStyle(element, '::before').content);
   expect(await said()).toBe('"Drag a ball"');
   await page.setViewportSize({ width: 1280, height: 720 });
   await expect(figure.locator('img')).toBeInViewport({ ratio: 1 });
@@ -133,7 +133,7 @@ test('the first page’s picture loads nothing until the pointer is on it, a bal
   await move(250, 190);
   await page.mouse.up();
   await expect(figure.locator('canvas')).toBeVisible();
-  expect(await figure.evaluate(one => getComputedStyle(one, '::before').display)).toBe('none');
+  expect(await figure.evaluate(element => getComputedStyle(element, '::before').display)).toBe('none');
   const link = figure.getByRole('link', { name: 'A scene of your own' });
   await expect(link).toHaveAttribute('href', /own_scene.html#scene=red-sphere-upwards:0.\d+$/);
   expect(page.url()).not.toContain('#');

@@ -20,9 +20,9 @@ for (const name of pages) {
     await openAll(page, home + name);
     const [sideways, missing] = await page.evaluate(async () => {
       const [root, pictures] = [document.documentElement, [...document.images]];
-      pictures.forEach(one => { one.loading = 'eager'; });
-      await Promise.all(pictures.map(one => one.decode().catch(() => {})));
-      const missing = pictures.filter(one => one.naturalWidth === 0).map(one => one.src);
+      pictures.forEach(element => { element.loading = 'eager'; });
+      await Promise.all(pictures.map(element => element.decode().catch(() => {})));
+      const missing = pictures.filter(element => element.naturalWidth === 0).map(element => element.src);
       return [root.scrollWidth - root.clientWidth, missing];
     });
     expect.soft(sideways, 'pixels by which the page scrolls sideways').toBeLessThanOrEqual(1);
@@ -34,8 +34,8 @@ test('on a phone, a shadow at the edge marks what can be scrolled sideways', asy
   await page.setViewportSize({ width: 390, height: 844 });
   await openAll(page, `${home}step01_rays.html`);
   const scrolling = await page.locator('main *').evaluateAll(all => all
-    .filter(one => one.scrollWidth > one.clientWidth + 1 && getComputedStyle(one).overflowX === 'auto')
-    .map(one => [one.parentElement.className, getComputedStyle(one).backgroundAttachment.includes('local')]));
+    .filter(element => element.scrollWidth > element.clientWidth + 1 && getComputedStyle(element).overflowX === 'auto')
+    .map(element => [element.parentElement.className, getComputedStyle(element).backgroundAttachment.includes('local')]));
   expect(scrolling.filter(([, hasShadow]) => !hasShadow)).toEqual([]);
   expect(scrolling.length).toBeGreaterThan(10);
 });

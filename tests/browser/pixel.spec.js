@@ -32,7 +32,7 @@ test('the first click on a picture opens the panel beside the picture, and the a
   await makeReady(figure);
   await expect(panel).toBeHidden();
   // The switches are in one row, and the sliders are in another row.
-  const bottoms = kind => figure.locator(`.controls > .${kind}:visible`).evaluateAll(all => all.map(one => Math.round(one.getBoundingClientRect().bottom)));
+  const bottoms = kind => figure.locator(`.controls > .${kind}:visible`).evaluateAll(all => all.map(element => Math.round(element.getBoundingClientRect().bottom)));
   const [switches, sliders] = [await bottoms('switch'), await bottoms('range')];
   expect([switches.length, new Set(switches).size, sliders.length, new Set(sliders).size]).toEqual([3, 1, 2, 1]);
   expect(sliders[0]).toBeGreaterThan(switches[0]);
@@ -88,9 +88,9 @@ for (const [name, seen] of Object.entries({
     const words = await preview.locator('.handle-probe').getAttribute('aria-valuetext');
     const [, i, j] = words.match(/^column (\d+), row (\d+)/).map(Number);
     const bytes = (await preview.locator('.hint').textContent()).match(/\((\d+), (\d+), (\d+)\)(?!.*\()/).slice(1).map(Number);
-    const shown = await preview.locator('img').evaluate((one, [i, j]) => {
+    const shown = await preview.locator('img').evaluate((element, [i, j]) => {
       const context = Object.assign(document.createElement('canvas'), { width: 640, height: 360 }).getContext('2d');
-      context.drawImage(one, 0, 0);
+      context.drawImage(element, 0, 0);
       return [...context.getImageData(i, j, 1, 1).data].slice(0, 3);
     }, [i, j]);
     expect(bytes, 'the colour of that pixel').toEqual(shown);
@@ -110,7 +110,7 @@ test('the controls stay in their places when a picture is first touched', async 
   const places = () => figure.locator('.controls > :is(.switch, .range, .exact, .reset)').evaluateAll(all => {
     // The content above the figure may still change in height, so measure from the figure's top.
     const top = all[0].closest('figure').getBoundingClientRect().top;
-    return all.filter(one => !one.hidden).map(one => [one.offsetLeft, Math.round(one.getBoundingClientRect().top - top), one.offsetWidth]);
+    return all.filter(element => !element.hidden).map(element => [element.offsetLeft, Math.round(element.getBoundingClientRect().top - top), element.offsetWidth]);
   });
   const before = await places();
   await figure.locator('.handle-probe').click();
@@ -134,11 +134,11 @@ test('on a phone, the picture stays in view while the reader scrolls through the
   const [figure, panel] = [page.locator('figure[data-live="step05_phong"]'), page.locator('[data-panel]')];
   await makeReady(figure);
   const stage = figure.locator('.stage');
-  await stage.evaluate(one => one.scrollIntoView({ block: 'center' }));
+  await stage.evaluate(element => element.scrollIntoView({ block: 'center' }));
   const { x, y } = await stage.boundingBox();
   await page.mouse.click(x + 100, y + 100);
   await expect(panel).toHaveAttribute('open');
   expect((await stage.boundingBox()).y).toBeCloseTo(y, 0);
-  await panel.evaluate(one => one.scrollIntoView({ block: 'end' }));
+  await panel.evaluate(element => element.scrollIntoView({ block: 'end' }));
   await expect(stage).toBeInViewport({ ratio: 1 });
 });

@@ -31,8 +31,8 @@ async function search(page, query) {
 test('first results are right for 19 of 20 queries', async ({ page, home }) => {
   await open(page, `${home}introduction.html`);
   await search(page, 'ray');
-  // Type all queries within the page, because a round trip to the browser for each query would take
-  // long.
+  // Type all queries within the page, because a round trip to the browser for each query would be
+  // slow.
   const found = await page.evaluate(queries => queries.map(([query]) => {
     const field = document.getElementById('search-field');
     field.value = query;

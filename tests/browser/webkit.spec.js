@@ -14,7 +14,7 @@ const wake = async () => {
     asleep()[0].scrollIntoView();
     await new Promise(done => setTimeout(done, 10));
   }
-  return asleep().map(one => one.dataset.live);
+  return asleep().map(element => element.dataset.live);
 };
 
 test('every figure becomes ready', async ({ home }) => {
@@ -34,5 +34,5 @@ test('every figure becomes ready', async ({ home }) => {
     const asleep = await post(`/${session.sessionId}/execute/async`, { script: `(${wake})().then(arguments[0])`, args: [] });
     expect.soft(asleep, name).toEqual([]);
   }
-  [driver, screen].forEach(one => one.kill());
+  [driver, screen].forEach(process => process.kill());
 });

@@ -141,10 +141,10 @@ fn fast_draws_the_bytes_of_render_for_rays_in_one_plane() {
     });
 }
 
-// `fast` draws the picture in blocks of pixels, and two of these blocks share an edge at column
-// 15.5. This camera's centre is at that column, and nearly in the plane of the picture. A second
-// plane contains the centre and the shared edge. Because the centre is so near to the picture,
-// rounding errors in V rotate the second plane by a large angle.
+// `fast` draws the picture in blocks of pixels. Neighbouring blocks share an edge at column 15.5.
+// To find the spheres that a block may show, `fast` computes the plane through the camera's centre
+// and this edge. Here, the centre is almost on the edge, so rounding errors in V rotate the plane
+// by a large angle.
 #[test]
 fn fast_draws_the_bytes_of_render_for_a_camera_nearly_in_the_plane_of_its_picture() {
     test_law(60, |random| {
@@ -231,8 +231,9 @@ fn fast_draws_the_bytes_of_render_where_rounding_errors_are_larger_than_the_sphe
     });
 }
 
-// Rounding to a byte hides the last digits of a colour. These scenes reveal the digits: a ray is
-// tangent to a sphere, or sees a colour that is halfway between two bytes.
+// Most rounding errors vanish when a colour is rounded to a byte. In these scenes, the tiniest
+// error may change a byte. In one scene, a ray is tangent to a sphere, and may hit or miss it. In
+// the other scene, the ray's colour is halfway between two bytes.
 #[test]
 fn fast_rounds_like_render() {
     test_law(400, |random| {

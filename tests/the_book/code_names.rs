@@ -51,7 +51,7 @@ fn reader_code_without_comments() -> Vec<(&'static str, String)> {
     files.collect()
 }
 
-/// The names in the files that a reader types.
+/// The names in the files that a reader types, and [`FOREIGN_NAMES`].
 struct SourceNames<'a> {
     files: &'a [(&'static str, String)],
     /// All words in the code and in the paths.

@@ -89,8 +89,8 @@ fn type_first_step(folder: &Path) -> Result<()> {
     Ok(())
 }
 
-/// Runs both jobs on a clone of the student's repository in `folder`. Uncommitted changes aren't in
-/// the clone. `required` lists the pictures that the class requires. Returns what the jobs print,
+/// Clones the student's repository, which is in `folder`, and runs both jobs on the clone.
+/// Uncommitted changes aren't in the clone. `required` lists the pictures that the class requires. Returns what the jobs print,
 /// or an error if the workflow fails.
 fn run_workflow(folder: &Path, required: &str) -> Result<String> {
     let jobs = folder.with_file_name("jobs");
@@ -98,7 +98,8 @@ fn run_workflow(folder: &Path, required: &str) -> Result<String> {
     let (draw, grade) = (jobs.join("draw"), jobs.join("grade"));
     fs::create_dir_all(draw.join("course")).expect("the folder can be created");
     fs::create_dir_all(grade.join("class/drawn")).expect("the folder can be created");
-    run_bash(&draw, "git clone --quiet ../../ada student", &[])
+    let repository = folder.to_str().expect("the path is UTF-8");
+    run_bash(&draw, "git clone --quiet \"$REPOSITORY\" student", &[("REPOSITORY", repository)])
         .expect("the repository can be cloned");
     // Give the job its own copy of the course's steps. A student's program could overwrite the
     // files in the job's folder `course`, and the real steps must stay as they are.

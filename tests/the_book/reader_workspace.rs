@@ -100,9 +100,8 @@ pub fn command_in_reader_folder(folder: &Path, program_and_arguments: &[&str]) -
     command.args(&program_and_arguments[1..]).current_dir(folder);
     command.env("CARGO_NET_OFFLINE", "true").env("CARGO_TERM_QUIET", "true");
     // Share our build folder, which already contains the dependencies, compiled with the same
-    // settings. The reader's five crates have the same names as our crates. Callers choose a
-    // different optimisation level for the reader's crates, so that the reader's crates don't
-    // overwrite ours.
+    // settings. The reader's five crates have the same names as our crates. At our optimisation
+    // level, the reader's crates would overwrite ours. So callers choose another level.
     command.env("CARGO_BUILD_BUILD_DIR", target_folder()).env("CARGO_INCREMENTAL", "0");
     // The book's commands set INSTA_UPDATE themselves, and INSTA_WORKSPACE_ROOT would point to our
     // folder.

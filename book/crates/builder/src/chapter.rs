@@ -85,7 +85,7 @@ struct Chapter<'a> {
     expanded_end: usize,
     /// The ids of the listings so far.
     listings: Vec<String>,
-    /// When the next picture is loaded.
+    /// When a browser loads the next picture of the chapter.
     loading: LoadingTime,
     /// The blocks that have notes. Each range covers a block and its notes.
     noted_blocks: Vec<Range<usize>>,

@@ -1,7 +1,8 @@
 //! Keeps track of which box in a chapter is open, and returns the HTML that opens and closes boxes.
 //!
-//! A box is a folded box, the panel of a picture, or a problem. Boxes don't nest, and the same
-//! `{{#end}}` closes any box, so there are four states:
+//! There are three kinds of boxes: folded boxes, the panels of pictures, and problems. Boxes don't
+//! nest, except that a problem contains its answer. The same `{{#end}}` closes any box, and closes
+//! an answer together with its problem. So there are four states:
 //!
 //! | State | Directive | Next state |
 //! |---|---|---|
@@ -11,10 +12,11 @@
 //! | problem | `answer` | answer |
 //! | standalone box, answer | `end` | no box |
 //!
-//! In each state, all other directives for boxes are errors. If a box may begin but its first line
-//! contains an error, the box still counts as open. Otherwise the `{{#end}}` of that box would be a
-//! second error. For the same reason, a standalone box that begins inside a problem, before the
-//! answer, replaces the problem as the open box.
+//! In each state, all other directives for boxes are errors. If the state allows a box but the
+//! box's first line contains an error, the box still counts as open. Otherwise the `{{#end}}` of
+//! that box would be a second error. If a standalone box begins in a problem, before the answer,
+//! the box replaces the problem as the open box. The next `{{#end}}` then closes the box, and isn't
+//! a second error.
 //!
 //! A panel belongs to the last picture above it that has a probe. One wrapper contains the picture
 //! and the panel, so that the panel can be in the margin. [`Boxes::await_panel`] opens the wrapper

@@ -153,8 +153,9 @@ impl Page {
         text + &self.text[start..element.text.end]
     }
 
-    /// Returns the location of an element, for a message about a fault. The location consists of
-    /// the page and an id. If the element has no id, this is the nearest id before the element.
+    /// Returns the location of an element, for a message about a fault: the name of the page, and
+    /// the element's id. If the element has no id, uses the nearest id before the element. If there
+    /// is no such id either, returns only the name of the page.
     pub fn address_for_fault(&self, element: &Element) -> String {
         let mut elements = self.elements[..element.descendants.start].iter().rev();
         let id = elements.find_map(|element| element.attr("id"));

@@ -11,7 +11,7 @@ use step03_nearest::OBJECTS;
 /// `step04_diffuse`. In the chapter, the text in the box follows, up to `{{#end}}`. In this text,
 /// each number that depends on the pixel is written as `{{#number …}}`.
 ///
-/// The HTML hides the box, since it doesn't work without scripts. If scripts are enabled,
+/// The HTML hides the box, since the box doesn't work without scripts. If scripts are enabled,
 /// book/theme/css/live.css shows the box from the start.
 pub fn opening_html(picture: &str) -> String {
     format!(

@@ -36,8 +36,8 @@ impl Preprocessor for ChapterPreprocessor {
     }
 
     fn run(&self, context: &PreprocessorContext, mut book: Book) -> Result<Book> {
-        // A published book links to the repository. Any other book says which folder to look for,
-        // but doesn't say the folder's path, since the book may be copied to another computer.
+        // A published book links to the repository. Any other book only describes the folder with
+        // the source. The folder's path would be wrong on another computer.
         let source_location_markdown =
             match context.config.get::<String>("output.html.git-repository-url")? {
                 Some(url) => format!("at [{url}]({url}): get it with `git clone {url}`"),

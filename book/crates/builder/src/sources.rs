@@ -91,13 +91,14 @@ impl Sources {
     }
 }
 
-/// The file name of the version of the picture `name` that is `columns` pixels wide.
+/// The name of a smaller version of a picture. `name` is the picture's name without `.png`, and
+/// `columns` is the version's width in pixels.
 fn cover_version_name(name: &str, columns: u32) -> String {
     format!("{name}-{columns}.png")
 }
 
-/// The file name of the small version of a step's correct picture. This version is as small as the
-/// pictures of mistakes.
+/// The file name of the small version of a step's correct picture. This version has the same size
+/// as the pictures of mistakes.
 pub fn small_picture_name(step: Step) -> String {
     format!("{}-small.png", step.name())
 }

@@ -139,8 +139,8 @@ pub struct Answer {
     pub details: Vec<String>,
     /// All changes we know of that reproduce this picture exactly.
     pub causes: Vec<Cause>,
-    /// Both pictures, for drawing the difference. None if the pictures are equal, if their sizes
-    /// differ, or if other options explain the difference.
+    /// The reader's picture and ours, for drawing the difference. None if the pictures are equal,
+    /// if their sizes differ, or if other options explain the difference.
     pub compared_pictures: Option<ComparedPictures>,
     /// The line about the causes. None if there are no causes, or if this line is the headline.
     pub(crate) causes_line: Option<String>,

@@ -86,8 +86,8 @@ pub(crate) fn byte_depends_on_our_byte_sentence(
     Some(format!("Each byte depends only on ours: {examples}.{file}"))
 }
 
-/// Whether only the sky or only the objects differ. If so, a wrong colour may be the cause, and not
-/// a wrong conversion to bytes. Returns false in step 1, which has no objects.
+/// Whether only the sky or only the objects differ. If so, the cause may be a wrong colour instead
+/// of a wrong conversion to bytes. Returns false in step 1, which has no objects.
 fn only_sky_or_only_objects_differ(comparison: &Comparison, scene: &StepScene) -> bool {
     let wrong_sky = comparison.wrong.iter().filter(|pixel| pixel.hit.is_none()).count();
     scene.step > Step::Rays && [0, comparison.wrong.len()].contains(&wrong_sky)

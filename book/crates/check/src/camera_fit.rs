@@ -14,7 +14,7 @@ use step01_rays::Camera;
 
 /// One of six numbers in the camera's matrix: the x or the y of the vector D_u, D_v or V_0.
 #[derive(Clone, Copy)]
-struct MatrixNumber {
+struct MatrixEntry {
     column: usize,
     row: usize,
 }
@@ -36,7 +36,7 @@ pub(crate) fn describe_fitting_cameras(
         .map(|(_, description)| description)
         .collect();
     if descriptions.is_empty() {
-        descriptions.extend(MatrixNumber::all_x_and_y().filter_map(|number| {
+        descriptions.extend(MatrixEntry::all_x_and_y().filter_map(|number| {
             let mut values = candidate_values_from_sky(comparison, scene, number).into_iter();
             let value = values.find(|value| gives_picture(&number.camera_with(*value)))?;
             Some(number.describe(&value.to_string()))
@@ -49,7 +49,7 @@ pub(crate) fn describe_fitting_cameras(
     descriptions
 }
 
-impl MatrixNumber {
+impl MatrixEntry {
     /// All six numbers.
     fn all_x_and_y() -> impl Iterator<Item = Self> {
         (0..2).flat_map(|row| (0..3).map(move |column| Self { column, row }))
@@ -78,7 +78,7 @@ impl MatrixNumber {
     }
 }
 
-/// Returns cameras that each have a plausible mistake in one formula: the formula for a number of
+/// Returns cameras that each have a plausible mistake in one formula: the formula for one number in
 /// the camera's matrix, or the formula for the height of the view. Each camera comes with a
 /// description of the wrong formula.
 fn cameras_with_wrong_formulas() -> Vec<(Camera, String)> {
@@ -95,8 +95,8 @@ fn cameras_with_wrong_formulas() -> Vec<(Camera, String)> {
     ];
     for (name, divisor) in divisors {
         for (number, sign, minus) in [
-            (MatrixNumber { column: 0, row: 0 }, 1.0, ""),
-            (MatrixNumber { column: 1, row: 1 }, -1.0, "−"),
+            (MatrixEntry { column: 0, row: 0 }, 1.0, ""),
+            (MatrixEntry { column: 1, row: 1 }, -1.0, "−"),
         ] {
             let words = number.describe(&format!("{minus}2 tan(θ/2)/{name}"));
             cameras.push((number.camera_with(sign * 2.0 * tan / divisor), words));
@@ -116,7 +116,7 @@ fn cameras_with_wrong_formulas() -> Vec<(Camera, String)> {
     ];
     for (name, ratio) in ratios {
         let half_height = ratio * tan;
-        let number = MatrixNumber { column: 2, row: 1 };
+        let number = MatrixEntry { column: 2, row: 1 };
         let mut camera = number.camera_with(half_height);
         cameras.push((camera, number.describe(&format!("{name} · tan(θ/2)"))));
         camera.matrix.y_axis.y = -2.0 * half_height / (v_res - 1.0);
@@ -132,7 +132,7 @@ fn cameras_with_wrong_formulas() -> Vec<(Camera, String)> {
 fn candidate_values_from_sky(
     comparison: &Comparison,
     scene: &StepScene,
-    number: MatrixNumber,
+    number: MatrixEntry,
 ) -> Vec<f64> {
     let Some(bounds) = bound_by_sky(comparison, scene, number) else { return vec![] };
     let (ours, matrix) = (number.our_value(), camera().matrix);
@@ -163,12 +163,12 @@ fn candidate_values_from_sky(
     candidates.map(|value| (value * 1e12).round() / 1e12).collect()
 }
 
-/// Finds the values of a number that reproduce the sky in the channel that depends on the number.
-/// Returns the interval of these values, or None if no value does so.
+/// Returns the interval of all values of a matrix number that reproduce your sky in one channel: in
+/// red if the number is an x, in green if it is a y. Returns None if there is no such value.
 fn bound_by_sky(
     comparison: &Comparison,
     scene: &StepScene,
-    MatrixNumber { column, row }: MatrixNumber,
+    MatrixEntry { column, row }: MatrixEntry,
 ) -> Option<RangeInclusive<f64>> {
     let matrix = camera().matrix;
     let (mut start, mut end) = (f64::NEG_INFINITY, f64::INFINITY);
@@ -213,15 +213,15 @@ mod tests {
     use image::RgbImage;
     use step01_rays::{picture, render};
 
-    const D_U: MatrixNumber = MatrixNumber { column: 0, row: 0 };
-    const D_V: MatrixNumber = MatrixNumber { column: 1, row: 1 };
-    const V_0: MatrixNumber = MatrixNumber { column: 2, row: 1 };
+    const D_U: MatrixEntry = MatrixEntry { column: 0, row: 0 };
+    const D_V: MatrixEntry = MatrixEntry { column: 1, row: 1 };
+    const V_0: MatrixEntry = MatrixEntry { column: 2, row: 1 };
 
     fn step01_target() -> Target {
         Target::of_locked("step01_rays", picture(&camera(), 1))
     }
 
-    fn bounds(yours: &RgbImage, number: MatrixNumber) -> Option<RangeInclusive<f64>> {
+    fn bounds(yours: &RgbImage, number: MatrixEntry) -> Option<RangeInclusive<f64>> {
         let target = step01_target();
         let scene = target.scene.as_ref().expect("a step has a scene");
         let comparison = Comparison::new(&target, yours).expect("the pictures differ");
@@ -267,14 +267,14 @@ mod tests {
         // Every red byte is clamped, so any value of D_u would do.
         let white = RgbImage::from_fn(640, 360, |i, j| [255, ours[(i, j)][1], 255].into());
         assert_eq!(bounds(&white, D_U), Some(f64::NEG_INFINITY..=f64::INFINITY));
-        // Green is wrong, too, so D_u can't be the only cause.
+        // All three channels are halved, so no pixel counts as sky.
         let green = render(&camera(), 1, |ray| step01_rays::direction_colour(ray) * 0.5);
         assert_eq!(bounds(&green, D_U), Some(f64::NEG_INFINITY..=f64::INFINITY));
     }
 
     /// Changes one number of our camera, draws the picture of step 3, and runs
     /// `describe_fitting_cameras` on this picture.
-    fn describe_cameras_that_fit_the_picture_with(number: MatrixNumber, value: f64) -> Vec<String> {
+    fn describe_cameras_that_fit_the_picture_with(number: MatrixEntry, value: f64) -> Vec<String> {
         let target = Target::of_locked("step03_nearest", step03_nearest::picture(&camera(), 1));
         let scene = target.scene.as_ref().expect("a step has a scene");
         let yours = step03_nearest::picture(&number.camera_with(value), 1);
@@ -296,7 +296,7 @@ mod tests {
     fn each_wrong_formula_changes_the_matrix_as_described() {
         let ours = camera().matrix;
         let lines = cameras_with_wrong_formulas().into_iter().map(|(camera, words)| {
-            let numbers = MatrixNumber::all_x_and_y().filter_map(|number| {
+            let numbers = MatrixEntry::all_x_and_y().filter_map(|number| {
                 let value = camera.matrix.col(number.column)[number.row];
                 (value != number.our_value()).then(|| format!("{value:.9}"))
             });

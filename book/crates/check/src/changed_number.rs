@@ -44,7 +44,8 @@ pub(crate) fn find_changed_numbers(
     descriptions
 }
 
-/// Returns the names of all owners of a kind, such as the names of all objects.
+/// Returns the names of everything of this kind. For [`Owner::Object`], these are the names of all
+/// objects.
 pub(crate) fn owner_names(scene: &StepScene, owner: Owner) -> Vec<String> {
     match owner {
         Owner::Object => scene.object_names(),

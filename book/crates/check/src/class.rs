@@ -1,6 +1,6 @@
 //! Checks what a class has handed in, given a folder that contains one folder per student. All
-//! pictures in a student's folder and its subfolders belong to that student. Nothing is inferred
-//! from the name of a student's folder. This module also writes the sheets for a class.
+//! pictures in a student's folder and its subfolders belong to that student. The whole name of the
+//! folder serves as the student's name. This module also writes the sheets for a class.
 
 mod feedback;
 mod folder;
@@ -26,8 +26,8 @@ use crate::class::student::{StudentReport, check_student};
 use rayon::prelude::*;
 use std::path::Path;
 
-/// Reports on every picture in the students' folders. `names` lists the full names of the folders
-/// that the class should have. With this list, the report says which folders are missing, and which
+/// Reports on every picture in the students' folders. `names` lists the names that the folders of
+/// the class should have. With this list, the report says which folders are missing, and which
 /// folders aren't in the list. Only the `required` pictures count towards a student's points. If no
 /// pictures are required, all pictures count.
 pub fn report_on_class(

@@ -138,8 +138,8 @@ fn explain_picture_with_other_options(
 }
 
 /// Tries out different numbers in the scene and different cameras, and returns the changes that
-/// reproduce the whole picture. If the budget runs out, returns no changes at all, since the
-/// untried changes might reproduce the picture, too.
+/// reproduce the whole picture. If the budget runs out, returns no changes at all, because the list
+/// might be incomplete: an untried change might reproduce the picture, too.
 fn find_number_and_camera_causes(comparison: &Comparison) -> Vec<Cause> {
     let Some(scene) = &comparison.target.scene else { return vec![] };
     let budget = Budget::new(MAX_RAYS);
@@ -149,10 +149,10 @@ fn find_number_and_camera_causes(comparison: &Comparison) -> Vec<Cause> {
     if budget.is_spent() { vec![] } else { causes }
 }
 
-/// Describes the causes. The first line names at most `MAX_CAUSES` causes. If there are more, it
-/// counts the rest, and names the files that contain them. If there are `options`, a right program
-/// draws the same picture with them, so the first line mentions them as well. If the first cause is
-/// a listed mistake, further lines describe that mistake.
+/// Describes the causes. The first line names at most `MAX_CAUSES` causes, then counts the other
+/// causes and names their files. If a right program draws the same picture with other options, the
+/// first line also mentions these `options`. If the first cause is a listed mistake, further lines
+/// describe that mistake.
 fn describe_causes(causes: &[Cause], options: Option<&Options>) -> Vec<String> {
     let Some(first) = causes.first() else { return vec![] };
     let is_listed = causes.iter().all(|cause| matches!(cause, Cause::Mistake(_)));

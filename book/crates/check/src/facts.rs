@@ -64,7 +64,7 @@ fn are_enough_evidence(wrong: &[Pixel]) -> bool {
     wrong.len() >= MIN_PIXELS && colours.len() >= MIN_COLOURS
 }
 
-/// Whether, in our picture, each pixel has an intensity that is too large for a byte.
+/// Whether each of `pixels` has, in our picture, an intensity that is too large for a byte.
 fn all_exceed_byte_range(pixels: &[Pixel], scene: &StepScene) -> bool {
     pixels.iter().all(|pixel| scene.colour(&pixel.ray).max_element() > 1.0)
 }

@@ -25,8 +25,8 @@ const PROBE_PIXELS: usize = 200;
 /// The allowance for rounding errors in a byte of the sky.
 const ROUNDING: f64 = 1e-6;
 
-/// If a pixel shows a single object, its mean colour differs from the colour at its centre by less
-/// than this, in units of a byte.
+/// If a pixel shows a single object, the pixel's mean colour differs from the colour at the pixel's
+/// centre by less than this, in units of a byte.
 const OBJECT_TOLERANCE: f64 = 64.0;
 
 /// In pictures with fewer columns than this, `OBJECT_TOLERANCE` doesn't hold, because a pixel may
@@ -201,9 +201,9 @@ fn fine_angles_that_fit_border(yours: &RgbImage) -> impl Iterator<Item = f64> {
     })
 }
 
-/// Returns the smallest and the largest number that lie in the maximum number of intervals, or in
-/// almost as many. Almost as many are enough, because some intervals may be wrong: a highlight may
-/// pass for sky. If there are no intervals, returns 0 and infinity.
+/// Returns the smallest and the largest number that enough intervals contain. Enough is the maximum
+/// count for any number, less one in `BORDER_BYTES_PER_WRONG_BYTE`. A few intervals may be wrong,
+/// because a highlight may pass for sky. If there are no intervals, returns 0 and infinity.
 fn find_almost_common_bounds(intervals: &[(f64, f64)]) -> (f64, f64) {
     if intervals.is_empty() {
         return (0.0, f64::INFINITY);
@@ -223,15 +223,15 @@ fn find_almost_common_bounds(intervals: &[(f64, f64)]) -> (f64, f64) {
         .collect();
     let max_count = counts.iter().copied().max().unwrap_or(0);
     let is_enough = |count: &i32| *count >= max_count - max_count / BORDER_BYTES_PER_WRONG_BYTE;
-    // The last count that is large enough holds until the next change, which is the end of an
-    // interval.
+    // `counts[k]` is the count between `changes[k]` and `changes[k + 1]`. So the last count that is
+    // large enough holds until the change after it.
     let first_index = counts.iter().position(is_enough).unwrap_or(0);
     let last_index = counts.iter().rposition(is_enough).map_or(0, |k| k + 1);
     (changes[first_index].0, changes[last_index].0)
 }
 
 /// Returns at most 50 positions on each side of a picture, starting at a corner. With most angles
-/// of view, the border shows the sky.
+/// of view, these positions show the sky, where `may_be_right` is strictest.
 fn sampled_border_positions((columns, rows): (u32, u32)) -> impl Iterator<Item = (u32, u32)> {
     let downwards = (0..rows).step_by(rows.div_ceil(50) as usize);
     let across = (0..columns).step_by(columns.div_ceil(50) as usize);

@@ -1,5 +1,5 @@
-//! Recognises our picture if it was turned, cropped or enlarged, or if its channels were swapped.
-//! Also recognises pictures of a single colour.
+//! Recognises our picture if it was turned, mirrored, cropped or enlarged, or if its channels were
+//! swapped. Also recognises pictures of a single colour.
 
 use crate::comparison::{Budget, scattered_positions};
 use image::RgbImage;
@@ -12,9 +12,9 @@ const MIN_PIXELS: usize = 100;
 
 /// Maps a position in our picture to the position of the same pixel in the turned picture. The
 /// second argument is the position of the last pixel in our picture.
-type Turn = fn((u32, u32), (u32, u32)) -> (u32, u32);
+type Orientation = fn((u32, u32), (u32, u32)) -> (u32, u32);
 
-const TURNS: [(&str, Turn); 6] = [
+const ORIENTATIONS: [(&str, Orientation); 6] = [
     ("", |position, _| position),
     ("upside down", |(i, j), (_, row)| (i, row - j)),
     ("mirrored left to right", |(i, j), (column, _)| (column - i, j)),
@@ -30,7 +30,8 @@ const CHANNEL_ORDERS: [(&str, [usize; 3]); 4] = [
     ("with green and blue exchanged", [0, 2, 1]),
 ];
 
-/// Describes a picture if it is ours, but turned, cropped, enlarged or with channels swapped.
+/// Describes a picture if it is ours, but turned, mirrored, cropped, enlarged or with channels
+/// swapped.
 /// Returns None for all other pictures. `title` is a phrase that stands for our picture, such as
 /// `the picture of glass`.
 pub(crate) fn describe_transformed(
@@ -61,24 +62,24 @@ pub(crate) fn uniform_colour(picture: &RgbImage) -> Option<[u8; 3]> {
     (bytes[3..] == bytes[..bytes.len() - 3]).then_some(first_pixel)
 }
 
-/// Returns a clause, such as `upside down`, for each turn that makes our picture equal to yours. If
-/// the pictures are equal only with two channels exchanged, the clause names these channels, too.
+/// Returns a clause, such as `upside down`, for each orientation of our picture that is equal to
+/// yours. If the pictures are equal only with two channels exchanged, the clause names these channels, too.
 /// If several orders of the channels fit, the first of `CHANNEL_ORDERS` counts.
 fn turned_or_swapped_clauses(yours: &RgbImage, ours: &RgbImage) -> Vec<String> {
     if yours.pixels().len() != ours.pixels().len() {
         return vec![];
     }
     let (columns, rows) = ours.dimensions();
-    let clauses = TURNS.iter().filter_map(|(turned, turn)| {
+    let clauses = ORIENTATIONS.iter().filter_map(|(words, orientation)| {
         // Several orders may fit: a grey picture looks the same in all of them.
         let (swapped, _) = CHANNEL_ORDERS.iter().find(|(_, order)| {
             scattered_positions((columns, rows)).all(|position| {
-                let (i, j) = turn(position, (columns - 1, rows - 1));
+                let (i, j) = orientation(position, (columns - 1, rows - 1));
                 let colour = order.map(|k| ours[position][k]);
                 yours.get_pixel_checked(i, j).is_some_and(|yours| yours.0 == colour)
             })
         })?;
-        let words = [*turned, *swapped].into_iter().filter(|words| !words.is_empty());
+        let words = [*words, *swapped].into_iter().filter(|words| !words.is_empty());
         Some(words.collect::<Vec<_>>().join(", "))
     });
     clauses.collect()

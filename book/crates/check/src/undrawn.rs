@@ -156,7 +156,7 @@ impl Mask {
     }
 
     /// Tries all kinds of shapes that we know, and returns the first shape that fits. Returns None
-    /// if no shape fits, or if every pixel has the mask's colour.
+    /// if no shape fits, or if no pixel is `Outside`, since then the whole picture has one colour.
     fn find_shape(&self) -> Option<Shape> {
         if !self.memberships.contains(&Membership::Outside) {
             return None;
@@ -296,9 +296,9 @@ impl Mask {
             .or_else(|| rising().map(|pattern| describe("rising to the right", pattern)))
     }
 
-    /// Looks for a shape that repeats. `number` gives each pixel a number. The shape must consist
-    /// of all pixels whose number, divided by a period, leaves certain remainders. Returns the
-    /// smallest period for which the shape fits, and the remainders.
+    /// Looks for a shape that repeats. `number` gives each pixel a number. A pixel belongs to the
+    /// shape if its number modulo the period is one of the remainders. Returns the smallest period
+    /// for which such a shape fits the mask, and the remainders.
     fn find_period(&self, number: impl Fn(u32, u32) -> u32) -> Option<(u32, BTreeSet<u32>)> {
         let numbers: Vec<_> = self.inside_positions().map(|(i, j)| number(i, j)).collect();
         (2..=LARGEST_PERIOD).find_map(|period| {

@@ -78,8 +78,8 @@ fn submitted_contents() -> SubmittedContents {
 
 const FOLDERS: &str = "**Moodle, D2L Brightspace, Gradescope and GitHub**";
 
-/// About two dozen students submit files on seven platforms. A report calls each picture right, or
-/// names the picture so that the teacher looks at it.
+/// About two dozen students submit files on seven platforms. Each picture appears in a report: the
+/// report either calls the picture right, or points the teacher to the picture.
 #[test]
 fn made_up_downloads_are_reported_as_locked() {
     let SubmittedContents { rays, sphere, flipped, bgr, small, jpeg, text } = submitted_contents();

@@ -43,8 +43,9 @@ fn right_programs_with_options_are_blamed_for_nothing() {
     for k in 0..40 {
         let step = Step::ALL[k % 5];
         let decimals = [1, 10, 100, 1000][k / 10];
-        // `check` finds the decimals of the angle from the sky at the picture's border. With an
-        // angle below 40°, the border may not show the sky.
+        // If an angle has two or more decimals, `check` computes it from the colours of the sky at
+        // the picture's border. The angles here are at least 40°, because at a smaller angle, there
+        // may be no sky at the border.
         let fov_degrees =
             f64::from(random.u32(40 * decimals..150 * decimals)) / f64::from(decimals);
         let (columns, rows) = (random.u32(16..200), random.u32(16..200));

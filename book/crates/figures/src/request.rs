@@ -20,8 +20,8 @@ pub enum FigureRequest {
         /// The values of the parameters.
         values: Vec<(String, f64)>,
     },
-    /// Drags a handle, then asks for the same as `Show`. A probe doesn't change the picture, so
-    /// nothing is drawn after a probe is dragged.
+    /// Drags a handle, then asks for the same as `Show`. If the handle is a probe, asks for the
+    /// same as `Read` instead, because dragging a probe doesn't change the picture.
     Drag {
         /// The values of the parameters before the handle is dragged.
         values: Vec<(String, f64)>,

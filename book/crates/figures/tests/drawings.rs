@@ -59,8 +59,8 @@ fn replies(figure: &Figure, requests: &[(String, FigureRequest)]) -> String {
     parts.join("\n")
 }
 
-/// Returns a request to show the figure with these values, preceded by a description of the
-/// request. If the figure is a picture, the request asks for only eight columns.
+/// Returns the description of a request, and the request itself. The request is to show the figure
+/// with these values. If the figure is a picture, the request asks for only eight columns.
 fn described_show_request(figure: &Figure, values: &ParameterValues) -> (String, FigureRequest) {
     let columns = match figure.content {
         Content::Drawing { .. } => None,
@@ -138,9 +138,9 @@ fn texts_and_replies_are_as_locked() {
 
 /// Returns the following sets of values, except those that leave the figure with nothing to show:
 /// - the default values;
-/// - for each end of each parameter's range, the default values with only this parameter at this
-///   end;
-/// - all parameters at the lower ends of their ranges, and all at the upper ends.
+/// - for each parameter, the default values with this parameter at the lower end of its range, and
+///   the default values with this parameter at the upper end;
+/// - the values with all parameters at their lower ends, and those with all at their upper ends.
 fn values_at_limits(figure: &Figure) -> Vec<ParameterValues> {
     let mut value_sets = vec![figure.default_values()];
     for end in [0, 1] {

@@ -18,8 +18,9 @@ const ALLOWED_COLUMNS: RangeInclusive<u32> = 16..=FULL_WIDTH;
 /// The width of the book's pictures.
 const FULL_WIDTH: u32 = PICTURE_COLUMNS;
 
-/// The maximum number of operations per picture: 17 for each pixel at full size. In a browser, this
-/// many operations take about 150 ms, in addition to the time for the book's own code.
+/// The maximum number of operations per picture. At full size, this is about 17 operations for each
+/// pixel. In a browser, this many operations take about 150 ms, in addition to the time for the
+/// book's own code.
 const MAX_OPERATIONS: u64 = 4_000_000;
 
 /// The horizontal and vertical distance between the pixels that [`describe_effect_on_later_steps`]

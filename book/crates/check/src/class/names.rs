@@ -45,8 +45,8 @@ pub fn read_names(list: &Path) -> Result<Vec<String>, NamesError> {
     }
 }
 
-/// Converts a name to NFC, in which each letter is one character. macOS splits the "ü" in a file
-/// name into two characters, "u" and a diaeresis.
+/// Converts a name to NFC, in which "ü" is one character. In a file name from macOS, "ü" may be two
+/// characters: "u" and a diaeresis.
 pub fn compose_characters(name: &str) -> String {
     name.nfc().collect()
 }

@@ -180,8 +180,8 @@ struct FileRow {
 
 impl FileRow {
     /// The feedback. If the picture has several files, or if the file is in a subfolder, the path
-    /// of the file precedes the feedback. The paths show a teacher whether a student's folder
-    /// really holds the work of several students.
+    /// of the file precedes the feedback. From the paths, a teacher may notice that a student's
+    /// folder holds the work of several students, with a subfolder for each.
     fn feedback_with_path_if_needed(&self) -> String {
         let needs_path = |path: &&str| self.is_one_of_several || path.contains('/');
         let path = self.file.as_deref().filter(needs_path).unwrap_or_default();

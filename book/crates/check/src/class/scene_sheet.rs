@@ -142,8 +142,8 @@ impl SceneSheet {
             "Name: ______________________________  Points: _____ of 12".to_owned(),
             "Work with six decimals, and give four.".to_owned(),
         ];
-        // Derive the pixel from the numbers instead of the name. Two spellings of a name that give
-        // the same scene then also give the same pixel.
+        // Derive the pixel from the numbers instead of the name. Then, if two spellings of a name
+        // give the same scene, they also give the same pixel.
         let pixels_to_skip = fnv_1a(tables.concat().concat().concat().bytes()) % 10_000;
         let pixel = find_problem_pixel(&scene, pixels_to_skip as usize);
         let (problems, answers) =
@@ -195,9 +195,9 @@ impl SceneSheet {
     }
 }
 
-/// Builds a table with one row for each owner of the given kind, for example for each object. The
-/// numbers are formatted as they are typed in Rust. Leaves out the numbers that matter only if the
-/// scene has mirrors.
+/// Builds the table for one kind of owner. For [`Owner::Object`], the table has one row for each
+/// object. The numbers are formatted as they are typed in Rust. Leaves out the numbers that matter
+/// only if the scene has mirrors.
 fn number_table(scene: &StepScene, owner: Owner) -> Vec<Vec<String>> {
     let is_seen =
         |quantity: &&Quantity| !quantity.scalars.iter().any(|scalar| scalar.needs_mirrors);
@@ -212,8 +212,8 @@ fn number_table(scene: &StepScene, owner: Owner) -> Vec<Vec<String>> {
     iter::once(head.collect()).chain(rows).collect()
 }
 
-/// Finds a pixel that shows a ball with a highlight. The pixel is of the first of these kinds that
-/// occurs in the picture:
+/// Finds a pixel that shows a ball with a highlight. Looks for a pixel of kind 1 first, then of
+/// kind 2, then of kind 3:
 ///
 /// 1. Both lights are bright on the visible ball, and the ray meets a second ball.
 /// 2. Both lights are bright on the visible ball, and the ray meets no other ball.

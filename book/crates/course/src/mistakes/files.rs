@@ -1,7 +1,7 @@
 //! The text files of the mistakes: a list for each step, and a table. A native program contains the
-//! texts of these files. The WebAssembly modules don't contain the texts. Otherwise, the modules
-//! would have to be compiled again after every edit of a list. Instead, a page loads the texts and
-//! provides them to its module.
+//! texts of these files. A WebAssembly module doesn't contain the texts, so the module needn't be
+//! compiled again after every edit of a list. A page loads the texts and provides them to its
+//! module.
 
 use crate::Step;
 use std::iter;

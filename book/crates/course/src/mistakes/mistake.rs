@@ -92,7 +92,7 @@ pub fn parse_mistake_lists() -> Result<&'static [Mistake], MistakeListError> {
     parsed.as_deref().map_err(Clone::clone)
 }
 
-/// The error for a line in the lists that can't be parsed.
+/// The error if a line in the lists can't be parsed.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[error("mistakes/{}.txt, line {line}: {fault}", .step.name())]
 pub struct MistakeListError {

@@ -1,7 +1,7 @@
-//! The table with a hash of each picture that a mistake produces, and the small pictures with which
-//! the book shows mistakes. All small pictures for a step are stacked in one file, in the order of
-//! the table. Separate files would be no better, since a change to the scene changes all of them
-//! anyway.
+//! The table of mistakes, and the small pictures with which the book shows mistakes. The table has
+//! a hash of each wrong picture that a mistake produces. All small pictures for a step are stacked
+//! in one file, in the order of the table. A file for each picture would have no advantage, since a
+//! change to the scene changes all small pictures anyway.
 //!
 //! The table is `table.txt`, which `cargo xtask` writes. All its hashes are hexadecimal.
 //!
@@ -27,7 +27,7 @@ use thiserror::Error;
 pub struct MistakeTable<'a> {
     /// The right pictures: those of the steps, then those of the examples.
     pub right_pictures: Vec<RightPicture<'a>>,
-    /// A row for each mistake, in the order of the list.
+    /// A row for each mistake, in the order of the list of mistakes.
     pub rows: Vec<TableRow>,
 }
 

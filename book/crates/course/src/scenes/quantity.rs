@@ -65,13 +65,13 @@ pub struct Scalar {
     /// Whether the number has an effect only in a scene with shadows and mirrors.
     pub needs_mirrors: bool,
     /// The axis, if this number is a coordinate of an object or a light. The channel, if this
-    /// number belongs to a colour, except for the colour of a highlight. None for all other
-    /// numbers, such as the camera's coordinates. A page's handles and its colour field find their
-    /// numbers by these components.
+    /// number belongs to a colour. None for all other numbers, for the camera's coordinates, and
+    /// for the colour of a highlight. A page's handles and its colour field find their numbers by
+    /// these components.
     pub component: Option<Component>,
     property: Property,
-    /// The index of this number if the property has three numbers, such as the index of the axis or
-    /// channel, and 0 otherwise.
+    /// The index of this number among the property's three numbers, such as the index of the axis
+    /// or channel. 0 if the property is a single number.
     axis: usize,
 }
 
@@ -400,7 +400,7 @@ const fn rgb(property: Property, [red, green, blue]: [&'static str; 3], max: f64
     ])
 }
 
-/// Gives the three numbers of a property the axes 0, 1 and 2.
+/// Sets the axes of a property's three numbers to 0, 1 and 2.
 const fn with_axes([x, y, z]: [Scalar; 3]) -> [Scalar; 3] {
     [x, Scalar { axis: 1, ..y }, Scalar { axis: 2, ..z }]
 }
@@ -454,8 +454,8 @@ mod tests {
             [radius.range_for_owner(0), radius.range_for_owner(GROUND)],
             [[0.05, 3.0], [10.0, 60.0]]
         );
-        // Only objects have a ground. A light with the index `GROUND` has the same range as the
-        // other lights.
+        // These numbers have the same range for all owners. For example, the light with the index
+        // `GROUND` has the same range as the other lights, because the ground isn't a light.
         for scalar in all_scalars().filter(|scalar| scalar.ground_range.is_none()) {
             assert_eq!(scalar.range_for_owner(GROUND), scalar.range);
         }

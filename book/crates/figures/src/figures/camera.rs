@@ -120,7 +120,7 @@ impl CameraFigure {
     }
 }
 
-/// Clamps the fractional coordinates of a pixel to the picture.
+/// Clamps a pixel's coordinates, which may be fractions, to the picture.
 fn clamp_to_picture(camera: &Camera, pixel: DVec2) -> DVec2 {
     let last_pixel = dvec2(f64::from(camera.h_res), f64::from(camera.v_res)) - 1.0;
     pixel.clamp(DVec2::ZERO, last_pixel)

@@ -95,7 +95,8 @@ fn draw(values: &ParameterValues) -> Drawing {
     drawing.label("accent over", (tips[0] + tips[1]) / 2.0 + dvec2(0.0, -10.0), "$D$");
     drawing.dot("eye", c);
     drawing.label("strong", c + dvec2(0.0, 26.0), "$C$");
-    // The legs of a right triangle. The angle between the leg 1 and the hypotenuse is θ/2.
+    // The legs of a right triangle. The angle between the leg of length 1 and the hypotenuse is
+    // θ/2.
     let corner = view.xy_to_drawing(tan, 0.0);
     drawing.path("guide", [c, corner, view.xy_to_drawing(tan, 1.0)]);
     drawing.label("quiet start", view.xy_to_drawing(tan, 0.5) + dvec2(10.0, 5.0), "1");

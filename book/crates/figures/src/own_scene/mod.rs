@@ -39,7 +39,7 @@ pub fn figure() -> Figure {
 }
 
 /// Returns the handle for the sphere or light with index `k`. The handle can be dragged only while
-/// the switch `presence` is on. Returns None if the position can't be set.
+/// the switch `presence` is on. Returns None if no parameters set the position.
 fn sphere_or_light_handle(owner: Owner, k: usize, presence: ParameterId) -> Option<Handle> {
     let camera_and_point = move |values: &ParameterValues| {
         values.is_on(presence).then(|| {

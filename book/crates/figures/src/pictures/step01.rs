@@ -26,7 +26,7 @@ const ASPECT_RATIOS: [AspectRatio; 4] = [
 const ASPECT_RATIO_NAMES: &[&str] = &["4:3", "16:9", "2.35:1", "2.59:1"];
 
 /// The y of the floor in the example `checkerboard`.
-const CHECKERBOARD_HEIGHT: f64 = -1.5;
+const CHECKERBOARD_Y: f64 = -1.5;
 
 /// The picture of step 1. Its field of view, aspect ratio and number of columns can be set.
 pub fn figure() -> Figure {
@@ -69,7 +69,7 @@ pub fn checkerboard_figure() -> Figure {
     Figure {
         readouts: |values| {
             let ray = probe_ray(values);
-            let t = CHECKERBOARD_HEIGHT / ray.direction.y;
+            let t = CHECKERBOARD_Y / ray.direction.y;
             let description = if t > 0.0 {
                 format!("floor, t = {}, p = {}", format_number(t), format_vector(ray.at(t)))
             } else {

@@ -1,4 +1,4 @@
-//! Draws the picture of a step in whose code the reader's lines replace the book's.
+//! Draws the picture of a step with the reader's lines in place of the book's.
 
 use crate::expressions::evaluation::{CompiledLine, Evaluation, Interruption};
 use crate::expressions::refusal::{Fault, Refusal};
@@ -25,10 +25,10 @@ pub struct LineRefusal {
 
 /// The state that the copied steps use while drawing.
 struct Context {
-    /// Which places the reader has edited: the bit at a place's index in places.txt is 1 if the
+    /// The places that the reader has edited: the bit at a place's index in places.txt is 1 if the
     /// place is edited. The build script makes sure that a u64 has enough bits. A list of the
-    /// edited places would be too slow: it doubled the time for a picture, because in step 5, a
-    /// single ray comes to places more than sixty times.
+    /// edited places would be too slow. It doubled the time for a picture, because in step 5, we
+    /// check more than sixty times per ray whether a place is edited.
     edited: Cell<u64>,
     /// The horizontal and vertical distance between the pixels that are drawn. If it is 1, all
     /// pixels are drawn.
@@ -113,8 +113,8 @@ fn evaluate_line<T: Default + TryFrom<Value>>(place_index: usize, variables: &[V
 }
 
 /// Replaces `debug_assert!` in the copied steps. If `condition` is false, a debug build of the
-/// reader's program would panic, so this function refuses the first of the reader's lines. The
-/// refusal stops the drawing.
+/// reader's program would panic. Then this function refuses the first of the reader's lines, since
+/// `condition` doesn't tell which line is at fault. The refusal stops the drawing.
 pub fn assert_or_refuse_first_line(condition: bool, sentence: &'static str) {
     if condition {
         return;

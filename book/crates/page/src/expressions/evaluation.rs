@@ -85,11 +85,11 @@ impl Evaluation {
         computation.evaluate(self)
     }
 
-    /// Spends some of the picture's operations. Each evaluation of a function, a method, an
-    /// operator or a branch costs one operation, since all of these take about equally long. The
-    /// exception is a remainder, which can cost more than one. In addition, each evaluation of a
-    /// line costs one operation. We count operations instead of measuring time, so that every
-    /// machine refuses the same lines.
+    /// Subtracts `operations` from the number of operations that the picture may still take. Each
+    /// evaluation of a function, a method, an operator or a branch costs one operation, since all
+    /// of these take about equally long. The exception is a remainder, which can cost more than
+    /// one. In addition, each evaluation of a line costs one operation. We count operations instead
+    /// of measuring time, so that every machine refuses the same lines.
     #[inline]
     pub fn spend(&mut self, operations: u64) -> Result<(), Interruption> {
         match self.operations_left.checked_sub(operations) {

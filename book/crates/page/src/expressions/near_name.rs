@@ -43,8 +43,10 @@ pub fn name_and_synonyms(name: &str) -> Vec<String> {
 ///
 /// - It equals `name`, ignoring case.
 /// - It is a synonym of `name`.
-/// - It differs from `name` by a letter or two.
+/// - It differs from `name` by one letter, or by two if `name` has six letters or more.
 /// - It is a prefix of `name`, and has more than half as many letters.
+///
+/// The last two statements count only if both names have at least `MIN_LETTERS` letters.
 pub fn find_near_name<'a>(
     name: &str,
     known_names: impl Iterator<Item = &'a str>,

@@ -19,8 +19,8 @@ pub fn is_compound_assignment(operator: &BinOp) -> bool {
     sign.ends_with('=') && !["==", "!=", "<=", ">="].contains(&&*sign)
 }
 
-/// Finds the expression that gives a block its value, or that gives the first branch of an `if` its
-/// value. Returns any other expression as it is.
+/// Returns the innermost tail expression of a block, or of the first branch of an `if`. An
+/// expression without a tail expression is returned unchanged.
 fn tail_expression(syntax: &Expr) -> &Expr {
     let statements = match syntax {
         Expr::Block(block) => &block.block.stmts,
