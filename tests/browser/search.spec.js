@@ -140,7 +140,8 @@ test('names from JavaScript are ordinary words in a query, and a query of ten th
   for (const word of ['constructor', '__proto__', 'hasOwnProperty', 'toString']) {
     await search(page, word);
     // The search may find similar words. But if it looked up `constructor` in a plain object, it
-    // would find the words of the function's text, `function Object() { [native code] }`.
+    // would get the function `Object`. Then it would find the words of this function's text, which
+    // is `function Object() { [native code] }`.
     const found = await page.locator('#search-results em').allTextContents();
     expect(found.filter(text => /^(object|native|code|function)s?$/i.test(text)), word).toEqual([]);
   }

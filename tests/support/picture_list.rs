@@ -42,11 +42,11 @@ chapter_pictures! {
     step05_specular: camera(), |camera, _| terms::picture(camera, |phong| phong.specular);
     one_ray: checkerboard_detail_camera(), |camera, _| enlarge(render(camera, 1, floor));
     sixteen_rays: checkerboard_detail_camera(), |camera, _| enlarge(render(camera, 4, floor));
-    open_gate: gate_detail_camera(), |camera, _| {
+    open_gate: highlight_gate_close_up_camera(), |camera, _| {
         let scene = scene();
         enlarge(render(camera, 1, |ray| colour_without_highlight_gate(&scene, ray)))
     };
-    shut_gate: gate_detail_camera(), |camera, _| enlarge(picture(camera, 1));
+    shut_gate: highlight_gate_close_up_camera(), |camera, _| enlarge(picture(camera, 1));
     speckled: camera_with_hard_coded_tangent(), |camera, _| draw_mirrors_without_reflections(camera, 0.0);
     shadowed: camera(), |camera, _| draw_mirrors_without_reflections(camera, mirror::OFFSET);
     close_up: white_sphere_detail_camera(), |camera, _| mirror::picture(camera, 2);
@@ -72,7 +72,7 @@ fn checkerboard_detail_camera() -> Camera {
 
 /// A camera for a close-up of the pixels that the gate changes. The gate is the test of n·l:
 /// without the gate, these pixels would show a highlight.
-fn gate_detail_camera() -> Camera {
+fn highlight_gate_close_up_camera() -> Camera {
     crop_camera(camera(), [585.0, 150.0], [40, 30])
 }
 

@@ -88,7 +88,7 @@ fn run_and_list_verified_pictures(
     reader: &ReaderWorkspace,
     command: &PageCommand,
 ) -> Result<Vec<String>> {
-    for path in picture_paths(reader)? {
+    for path in png_paths(reader)? {
         fs::remove_file(path)?;
     }
     for Edit { command_end, file, old, new } in EDITS {
@@ -108,7 +108,7 @@ fn run_and_list_verified_pictures(
     ensure!(missing_part.is_none(), "{location} does not print {missing_part:?}, but {text}");
     let mut names = vec![];
     let has_custom_size = command.line.contains("--width") && !command.line.contains("--output");
-    for path in picture_paths(reader)?.into_iter().filter(|_| !has_custom_size) {
+    for path in png_paths(reader)?.into_iter().filter(|_| !has_custom_size) {
         let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
         if locked_picture_path(&name).is_file() {
             let picture = image::open(path)?.to_rgb8();
@@ -122,7 +122,7 @@ fn run_and_list_verified_pictures(
 }
 
 /// The paths of the PNG files directly in the reader's folder.
-fn picture_paths(reader: &ReaderWorkspace) -> Result<Vec<PathBuf>> {
+fn png_paths(reader: &ReaderWorkspace) -> Result<Vec<PathBuf>> {
     let files = fs::read_dir(&reader.folder)?.flatten().map(|file| file.path());
     Ok(files.filter(|path| path.extension().is_some_and(|end| end == "png")).collect())
 }

@@ -22,7 +22,7 @@ const PIXELS_TESTED_FIRST: usize = 500;
 ///
 /// - The pixel has one of our channels in all three bytes.
 /// - The pixel has the colour of a neighbouring pixel in our picture.
-pub(crate) fn copied_channel_or_neighbour_sentences(comparison: &Comparison) -> Vec<String> {
+pub(crate) fn copied_our_channel_or_neighbour_sentences(comparison: &Comparison) -> Vec<String> {
     let mut sentences = vec![];
     let mut add_if = |words: &str, holds: &dyn Fn(&Pixel) -> bool| {
         if comparison.wrong.iter().all(holds) {

@@ -71,7 +71,8 @@ fn decode(png: &[u8], file_name: &str) -> Result<ReaderPicture, CheckError> {
     Ok(ReaderPicture::new(decoded))
 }
 
-/// Compares a reader's picture with the target, and explains any difference.
+/// Compares a reader's picture with the target, and explains any difference. A transparent picture
+/// isn't right, even if all of its colours are.
 fn compare(yours: ReaderPicture, target: Target) -> Answer {
     let Explanation { verdict, headline, details, causes, causes_line, option_doubts } =
         explain(&yours, &target);

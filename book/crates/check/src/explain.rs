@@ -176,14 +176,14 @@ fn describe_causes(causes: &[Cause], options: Option<&Options>) -> Vec<String> {
     let mut lines =
         vec![format!("{start} this very picture (others may, too): {list}.{options_sentence}")];
     if let Cause::Mistake(mistake) = first {
-        lines.extend(describe_mistake(mistake));
+        lines.extend(diff_and_reason_of_mistake(mistake));
     }
     lines
 }
 
 /// Describes a listed mistake. Shows the diff unless it is too long. If the book shows the mistake,
 /// also says why the code is wrong and which section to read.
-fn describe_mistake(mistake: &Mistake) -> Vec<String> {
+fn diff_and_reason_of_mistake(mistake: &Mistake) -> Vec<String> {
     let diff = mistake.format_as_diff();
     let mut lines: Vec<_> = diff.lines().map(|line| format!("  {line}")).collect();
     if lines.len() > MAX_DIFF_LINES {
@@ -276,9 +276,9 @@ mod tests {
     #[test]
     fn mistake_is_shown_with_its_diff_if_short_and_its_reason_if_any() {
         let short = made_up_mistake("slip", "a.rs");
-        assert_eq!(describe_mistake(&short), ["  - a", "  + b"]);
+        assert_eq!(diff_and_reason_of_mistake(&short), ["  - a", "  + b"]);
         let three_lines = Mistake { new: "b\nb\nb".to_owned(), ..short.clone() };
-        assert_eq!(describe_mistake(&three_lines), ["  - a", "  + b", "  + b", "  + b"]);
+        assert_eq!(diff_and_reason_of_mistake(&three_lines), ["  - a", "  + b", "  + b", "  + b"]);
         let four_lines = "b\nb\nb\nb".to_owned();
         let presentation = MistakePresentation {
             pictures: vec![],
@@ -287,6 +287,6 @@ mod tests {
             effect: "",
         };
         let long = Mistake { new: four_lines, presentation: Some(presentation), ..short };
-        assert_eq!(describe_mistake(&long), ["It is b.", "See step 2, \"Letters\"."]);
+        assert_eq!(diff_and_reason_of_mistake(&long), ["It is b.", "See step 2, \"Letters\"."]);
     }
 }

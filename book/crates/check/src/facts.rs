@@ -2,7 +2,7 @@
 
 use crate::byte_facts::{
     byte_depends_on_our_byte_sentence, byte_depends_on_our_intensity_sentence,
-    copied_channel_or_neighbour_sentences, one_colour_sentence,
+    copied_our_channel_or_neighbour_sentences, one_colour_sentence,
 };
 use crate::comparison::{Comparison, Pixel};
 use crate::regions::{colours_from_behind_sentence, count_pixels_per_region, region_sentence};
@@ -49,7 +49,7 @@ pub(crate) fn find_facts(comparison: &Comparison) -> Vec<String> {
         }
         if has_enough_evidence {
             facts.extend(one_colour_sentence(&comparison.wrong));
-            facts.extend(copied_channel_or_neighbour_sentences(comparison));
+            facts.extend(copied_our_channel_or_neighbour_sentences(comparison));
         }
         facts.truncate(MAX_FACTS);
     }

@@ -4,7 +4,7 @@
 
 use crate::error::{XtaskError, XtaskResult};
 use crate::mistakes_program::{self, DrawnPictures, title_and_file, unindented_text_with_mistake};
-use crate::source_hash::{code_lines, hash_texts};
+use crate::source_hash::{hash_texts, trimmed_code_lines};
 use course::{
     Mistake, MistakePicture, MistakeTable, PICTURES, RightPicture, SMALL_SIZE, Step, TableRow,
     encode_png, hash_picture, make_small_picture, mistake_table, parse_mistake_lists,
@@ -63,7 +63,7 @@ pub fn redraw_key(mistake: &Mistake, right_pictures: &[(&str, u64)]) -> XtaskRes
     let right_hashes = affected_pictures.map(|(_, hash)| hash.to_string());
     let pictures = mistake.pictures().iter();
     let shown_names = pictures.map(|picture| format!("{} {}", picture.name, picture.step.name()));
-    let code = code_lines(&unindented_text_with_mistake(mistake)?);
+    let code = trimmed_code_lines(&unindented_text_with_mistake(mistake)?);
     Ok(hash_texts(right_hashes.chain(shown_names).chain([code])) as u32)
 }
 

@@ -32,7 +32,7 @@ pub fn hash_wasm_module_sources() -> XtaskResult<String> {
     let source_text = |path: &PathBuf| {
         let text = fs::read_to_string(path).map_err(XtaskError::of_file(path))?;
         let is_shown = SHOWN_ON_PAGES.iter().any(|end| path.ends_with(end));
-        Ok(if is_shown { text } else { code_lines(&text) })
+        Ok(if is_shown { text } else { trimmed_code_lines(&text) })
     };
     let texts: XtaskResult<Vec<_>> = files.iter().map(source_text).collect();
     Ok(format!("{:016x}", hash_texts(texts?)))
@@ -45,7 +45,7 @@ pub fn hash_texts(texts: impl IntoIterator<Item = String>) -> u64 {
 
 /// Removes blank lines, indentation, and lines that start with `//`. Comments that follow code on a
 /// line stay, and so do the `#` comments in TOML files.
-pub fn code_lines(code: &str) -> String {
+pub fn trimmed_code_lines(code: &str) -> String {
     let lines = code.lines().map(str::trim);
     let lines = lines.filter(|line| !line.is_empty() && !line.starts_with("//"));
     lines.collect::<Vec<_>>().join("\n")
@@ -75,7 +75,7 @@ mod tests {
     #[test]
     fn comments_blank_lines_and_indentation_are_not_code() {
         let code = "//! A file.\n\nfn f() {\n    // Why.\n    g(); // here\n}\n";
-        assert_eq!(code_lines(code), "fn f() {\ng(); // here\n}");
+        assert_eq!(trimmed_code_lines(code), "fn f() {\ng(); // here\n}");
     }
 
     #[test]

@@ -186,12 +186,12 @@ impl SceneSheet {
         for text in &self.instructions {
             let _ = writeln!(html, "<p>{}</p>", escape_html(text));
         }
-        html + &html_list(&self.problems)
+        html + &numbered_list_html(&self.problems)
     }
 
     fn answers_to_html(&self) -> String {
         let name = escape_html(&self.name);
-        format!("<h2><bdi>{name}</bdi></h2>\n{}", html_list(&self.answers))
+        format!("<h2><bdi>{name}</bdi></h2>\n{}", numbered_list_html(&self.answers))
     }
 }
 
@@ -345,7 +345,7 @@ fn html_page(kind: &str, sections: impl Iterator<Item = String>) -> String {
     )
 }
 
-fn html_list(items: &[String]) -> String {
+fn numbered_list_html(items: &[String]) -> String {
     let items: String =
         items.iter().map(|item| format!("<li>{}</li>\n", escape_html(item))).collect();
     format!("<ol>\n{items}</ol>\n")
@@ -363,7 +363,7 @@ mod tests {
 
     #[test]
     fn list_items_are_escaped_for_html() {
-        assert_eq!(html_list(&["<b>".to_owned()]), "<ol>\n<li>&lt;b&gt;</li>\n</ol>\n");
+        assert_eq!(numbered_list_html(&["<b>".to_owned()]), "<ol>\n<li>&lt;b&gt;</li>\n</ol>\n");
     }
 
     #[test]

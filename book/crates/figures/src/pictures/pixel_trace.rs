@@ -23,7 +23,7 @@ pub fn describe_hit<M>(objects: &[Object<M>], ray: &Ray) -> String {
     }
 }
 
-/// The trace of the probe's pixel, without the shading. [`trace_shading`] returns the trace of the
+/// The trace of the probe's pixel, without the shading. [`trace_phong_terms`] returns the trace of the
 /// shading.
 pub fn trace_pixel<M>(
     values: &ParameterValues,
@@ -69,7 +69,7 @@ pub fn trace_pixel<M>(
 
 /// The trace of the shading at the probe: n, v, the shininess and the three Phong terms, then the
 /// numbers for each light. Returns no readouts if the probe is on the sky.
-pub fn trace_shading(values: &ParameterValues, scene: &Scene<Material, Light>) -> Readouts {
+pub fn trace_phong_terms(values: &ParameterValues, scene: &Scene<Material, Light>) -> Readouts {
     let ray = &probe_ray(values);
     let Some(point) = visible_point(&scene.objects, ray) else { return Readouts::new() };
     let (p, n, material) = (point.p, point.n, point.material());

@@ -1,6 +1,6 @@
 //! The picture of step 4, with lights that the reader can move.
 
-use super::pixel_trace::{trace_pixel, trace_shading};
+use super::pixel_trace::{trace_phong_terms, trace_pixel};
 use crate::probe::{draw_picture, probed_picture};
 use crate::{Axis, Figure, Handle, Mark, Parameter, ParameterValues, PointId, Readouts};
 use course::LIGHT_NAMES;
@@ -62,7 +62,7 @@ fn scene_with_moved_lights(values: &ParameterValues) -> Scene<Matte, PointLight>
 fn readouts(values: &ParameterValues) -> Readouts {
     let scene = scene_with_moved_lights(values);
     let mut readouts = trace_pixel(values, &scene.objects, |ray| colour(&scene, ray));
-    readouts.extend(trace_shading(values, &phong_scene(&scene)));
+    readouts.extend(trace_phong_terms(values, &phong_scene(&scene)));
     readouts
 }
 

@@ -1,6 +1,6 @@
 //! The picture of step 5, in which the reader can switch terms off and set materials.
 
-use super::pixel_trace::{trace_pixel, trace_shading};
+use super::pixel_trace::{trace_phong_terms, trace_pixel};
 use crate::probe::{draw_picture, probe_ray, probed_picture};
 use crate::{Figure, Parameter, ParameterId, ParameterValues, Readouts};
 use glam::DVec3;
@@ -64,7 +64,7 @@ fn changed_scene(values: &ParameterValues) -> Scene<Material, Light> {
 fn readouts(values: &ParameterValues) -> Readouts {
     let scene = changed_scene(values);
     let mut readouts = trace_pixel(values, &scene.objects, |ray| colour(&scene, ray));
-    readouts.extend(trace_shading(values, &scene));
+    readouts.extend(trace_phong_terms(values, &scene));
     readouts
 }
 

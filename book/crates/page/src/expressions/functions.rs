@@ -99,7 +99,7 @@ macro_rules! functions {
     };
 }
 
-/// Methods of a type that have the same parameter types and the same result type.
+/// Several methods of one type. All have the same parameter types and the same result type.
 macro_rules! methods {
     ($type:ident $parameters:tt $values:tt -> $result:ident: $($name:ident)*) => {
         functions! { $(
