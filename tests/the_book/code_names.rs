@@ -39,7 +39,7 @@ fn is_identifier_in_code_span(text_before: &str, word: &str, text_after: &str) -
             || text_after.starts_with('('))
 }
 
-/// Returns the path of each file that a reader types, and the file's code without comments.
+/// For each file whose code a reader types, returns the path and the code without comments.
 fn reader_code_without_comments() -> Vec<(&'static str, String)> {
     let files = SOURCE_FILES.texts_with_suffix("").map(|(path, text)| {
         let lines = text.lines().map(|line| match line.split_once("//") {
@@ -51,7 +51,7 @@ fn reader_code_without_comments() -> Vec<(&'static str, String)> {
     files.collect()
 }
 
-/// The names in the files that a reader types, and [`FOREIGN_NAMES`].
+/// The names in the code that a reader types, and [`FOREIGN_NAMES`].
 struct SourceNames<'a> {
     files: &'a [(&'static str, String)],
     /// All words in the code and in the paths.

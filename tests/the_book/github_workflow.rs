@@ -90,8 +90,8 @@ fn type_first_step(folder: &Path) -> Result<()> {
 }
 
 /// Clones the student's repository, which is in `folder`, and runs both jobs on the clone.
-/// Uncommitted changes aren't in the clone. `required` lists the pictures that the class requires. Returns what the jobs print,
-/// or an error if the workflow fails.
+/// Uncommitted changes aren't in the clone. `required` lists the pictures that the class requires.
+/// Returns what the jobs print, or an error if the workflow fails.
 fn run_workflow(folder: &Path, required: &str) -> Result<String> {
     let jobs = folder.with_file_name("jobs");
     let _ = fs::remove_dir_all(&jobs);

@@ -239,11 +239,11 @@ fn sampled_border_positions((columns, rows): (u32, u32)) -> impl Iterator<Item =
     sides.chain(across.flat_map(move |i| [(i, 0), (i, rows - 1)]))
 }
 
-/// Whether a right program may have drawn this pixel, whatever its number of samples. A program with
-/// many samples draws the mean colour of the pixel, but we compute only the colour at the pixel's
-/// centre. In the sky, colours change linearly, so the mean and the colour at the centre are equal.
-/// Within an object, they are close if pixels are small. If a pixel on an object is large, or if the
-/// pixel shows an edge, the mean may be anything, so we accept every colour.
+/// Whether a right program may have drawn this pixel, whatever its number of samples. A program
+/// with many samples draws the mean colour of the pixel, but we compute only the colour at the
+/// pixel's centre. In the sky, colours change linearly, so the mean and the colour at the centre
+/// are equal. Within an object, they are close if pixels are small. If a pixel on an object is
+/// large, or if the pixel shows an edge, the mean may be anything, so we accept every colour.
 fn may_be_right(scene: &StepScene, camera: &Camera, yours: &RgbImage, (i, j): (u32, u32)) -> bool {
     let (x, y) = (f64::from(i), f64::from(j));
     let object_at = |(u, v)| scene.visible_hit(&camera.ray(x + u, y + v)).map(|hit| hit.object);

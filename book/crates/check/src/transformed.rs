@@ -63,8 +63,8 @@ pub(crate) fn uniform_colour(picture: &RgbImage) -> Option<[u8; 3]> {
 }
 
 /// Returns a clause, such as `upside down`, for each orientation of our picture that is equal to
-/// yours. If the pictures are equal only with two channels exchanged, the clause names these channels, too.
-/// If several orders of the channels fit, the first of `CHANNEL_ORDERS` counts.
+/// yours. If the pictures are equal only with two channels exchanged, the clause names these
+/// channels, too. If several orders of the channels fit, the first of `CHANNEL_ORDERS` counts.
 fn turned_or_swapped_clauses(yours: &RgbImage, ours: &RgbImage) -> Vec<String> {
     if yours.pixels().len() != ours.pixels().len() {
         return vec![];

@@ -25,8 +25,8 @@ pub(crate) struct StudentReport {
 pub(crate) struct PictureReport {
     /// The name of the picture.
     pub picture: &'static str,
-    /// Whether the picture counts towards the points. If no picture is required, all pictures
-    /// count.
+    /// Whether the picture counts towards the points. If the teacher has listed required pictures,
+    /// only these count. Otherwise, all pictures count.
     pub is_counted: bool,
     /// The checked files that are named after this picture. If this list is empty, the picture is
     /// missing.

@@ -80,8 +80,8 @@ pub fn mistakes() -> &'static [Mistake] {
     }
 }
 
-/// Like [`mistakes`], but returns an error if a line in the lists can't be parsed. In WebAssembly, the
-/// list is empty until `provide_mistake_files` has been called.
+/// Like [`mistakes`], but returns an error if a line in the lists can't be parsed. In WebAssembly,
+/// the list is empty until `provide_mistake_files` has been called.
 pub fn parse_mistake_lists() -> Result<&'static [Mistake], MistakeListError> {
     static MISTAKES: OnceLock<Result<Vec<Mistake>, MistakeListError>> = OnceLock::new();
     let Some(texts) = mistake_files() else { return Ok(&[]) };

@@ -23,8 +23,8 @@ pub fn describe_hit<M>(objects: &[Object<M>], ray: &Ray) -> String {
     }
 }
 
-/// The trace of the probe's pixel, without the shading. [`trace_phong_terms`] returns the trace of the
-/// shading.
+/// The trace of the probe's pixel, without the shading. [`trace_phong_terms`] returns the trace of
+/// the shading.
 pub fn trace_pixel<M>(
     values: &ParameterValues,
     objects: &[Object<M>],
