@@ -200,8 +200,8 @@ impl<'a> Chapter<'a> {
         }
     }
 
-    /// Returns a block in a wrapper, so that a tool, such as the line editor, can open beside the
-    /// block in the margin. A block with notes is returned unchanged, because such a block already
+    /// Returns a block in a wrapper, so that a tool, such as the line editor, can open in the
+    /// margin beside the block. A block with notes is returned unchanged, because such a block already
     /// has a wrapper.
     fn wrap_unless_block_has_notes(&self, block: String, block_start: usize) -> String {
         if self.block_has_notes(block_start) {

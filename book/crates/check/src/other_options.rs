@@ -86,8 +86,8 @@ impl Options {
         self.is_one_colour
     }
 
-    /// A sentence about a picture that was drawn with these options. `title` is a phrase that
-    /// stands for our picture, such as `the picture of glass`.
+    /// A sentence that says that the reader's picture was drawn with these options. `title` names
+    /// our picture, as in `the picture of glass`.
     pub fn headline(&self, title: &str) -> String {
         let ((columns, rows), samples) = (self.size, self.samples);
         let pixel_count = columns as usize * rows as usize;

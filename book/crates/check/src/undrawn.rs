@@ -296,9 +296,10 @@ impl Mask {
             .or_else(|| rising().map(|pattern| describe("rising to the right", pattern)))
     }
 
-    /// Looks for a shape that repeats. `number` gives each pixel a number. A pixel belongs to the
-    /// shape if its number modulo the period is one of the remainders. Returns the smallest period
-    /// for which such a shape fits the mask, and the remainders.
+    /// Looks for a shape that repeats. Such a shape has a period and a set of remainders: `number`
+    /// gives each pixel a number, and a pixel belongs to the shape if its number modulo the period
+    /// is one of the remainders. Returns the smallest period for which such a shape fits the mask,
+    /// and the set of remainders.
     fn find_period(&self, number: impl Fn(u32, u32) -> u32) -> Option<(u32, BTreeSet<u32>)> {
         let numbers: Vec<_> = self.inside_positions().map(|(i, j)| number(i, j)).collect();
         (2..=LARGEST_PERIOD).find_map(|period| {
