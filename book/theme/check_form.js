@@ -44,8 +44,8 @@
         return [report, book.make("span", { class: "panels" }, ...panels)];
     }
 
-    // Sets up a form so that each file that a reader chooses in it is checked. Returns a function that
-    // checks the first of some dropped files.
+    // Sets up a form so that each file that a reader chooses in it is checked. Returns a function
+    // that checks the first of some dropped files.
     /** @param {HTMLFormElement} form @returns {(files: FileList) => void} */
     function activate(form) {
         const input = form.querySelector("input"), reset = form.querySelector("button"), output = form.querySelector("output");

@@ -6,9 +6,13 @@ import { expect, open, test } from './fixtures.js';
 // their picture.
 for (const [name, asked] of forms.filter(([, , k]) => k === 0)) {
   test(`${name}: the form tells the right picture from a wrong picture and from a text file`, async ({ page, home }) => {
-    await open(page, home + name);
     const form = page.locator('form[data-check]').first();
-    await form.and(page.locator(':not([hidden])')).waitFor({ state: 'attached' });
+    // Opens the page, and waits until the form works: the form is hidden until then.
+    const openPage = async () => {
+      await open(page, home + name);
+      await form.and(page.locator(':not([hidden])')).waitFor({ state: 'attached' });
+    };
+    await openPage();
     const [input, output] = [form.locator('input[type=file]'), form.locator('output')];
     const right = asked === '*' ? 'step04_diffuse' : asked;
     for (const [given, words] of [[right, /^Right/], ['shadowed', /^(?!Right|This page|Looking)./]]) {
@@ -18,7 +22,7 @@ for (const [name, asked] of forms.filter(([, , k]) => k === 0)) {
     // If the picture belongs to a step, that step has a tick in the contents, now and after the
     // page is opened again.
     const tick = page.locator(`#contents a[href="${right}.html"] .tick`);
-    for (const look of [() => {}, () => open(page, home + name)]) {
+    for (const look of [() => {}, openPage]) {
       await look();
       await expect(tick).toHaveCount(right.startsWith('step') ? 1 : 0);
     }

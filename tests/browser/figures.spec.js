@@ -53,7 +53,7 @@ test('labels of drawings do not overlap at the limit of any control, and no hand
     }
     const faults = await page.evaluate(async () => {
       await document.fonts.ready;
-      const overlap = (element, other) => element.left < other.right && other.left < element.right && element.top < other.bottom && other.top < element.bottom;
+      const overlap = (box, other) => box.left < other.right && other.left < box.right && box.top < other.bottom && other.top < box.bottom;
       const findFaults = svg => {
         const { a: scale, e, f } = svg.getScreenCTM();
         const labels = [...svg.querySelectorAll('text')].filter(element => element.textContent).map(element => {
@@ -75,7 +75,7 @@ test('labels of drawings do not overlap at the limit of any control, and no hand
           return Math.hypot(nearX - centreX, nearY - centreY) < width / 2;
         };
         const isCovered = label => handles.some(handle => isBelow(label, handle)) || cues.some(cue => overlap(label, cue));
-        const over = labels.filter((element, k) => isCovered(element) || labels.slice(0, k).some(other => overlap(element, other)));
+        const over = labels.filter((label, k) => isCovered(label) || labels.slice(0, k).some(other => overlap(label, other)));
         return [...cut, ...over].map(label => label.words);
       };
       const faults = [];
