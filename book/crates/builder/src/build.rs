@@ -175,7 +175,7 @@ mod tests {
     }
 
     #[test]
-    fn old_book_is_restored_if_there_is_no_draft() {
+    fn old_book_is_put_back_if_replacing_it_fails() {
         let (parent, draft, book) = create_draft_and_old_book("no_draft");
         fs::remove_dir_all(&draft).expect("the draft can be removed");
         assert!(replace_folder(&draft, &book).is_err());

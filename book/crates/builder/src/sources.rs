@@ -54,7 +54,7 @@ impl Sources {
             let small = encode_png(&course::make_small_picture(&locked));
             files.insert(small_picture_name(step), small);
             for (name, picture) in
-                course::read_small_pictures(workspace, step).with_context(|| step.name())?
+                course::read_small_mistake_pictures(workspace, step).with_context(|| step.name())?
             {
                 files.insert(format!("mistake-{name}.png"), encode_png(&picture));
             }

@@ -39,7 +39,7 @@ pub use mistakes::{
     RightPicture, SMALL_SIZE, TableError, TableRow, find_mistakes_with_hash,
     hashes_of_right_pictures, make_small_picture, mistake_files, mistake_table, mistakes,
     mistakes_and_their_rows, names_of_right_pictures, parse_mistake_lists, provide_mistake_files,
-    read_small_pictures, small_pictures_file_path,
+    read_small_mistake_pictures, small_pictures_file_path,
 };
 
 mod scenes;

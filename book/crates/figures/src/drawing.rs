@@ -1,7 +1,7 @@
 //! Drawings in SVG.
 
 use crate::label_box::LabelBox;
-use crate::text_markup::symbol_spans;
+use crate::text_markup::symbol_tspans;
 use crate::{Shading, View};
 use course::escape_html;
 use glam::{DVec2, dvec2};
@@ -196,7 +196,7 @@ const DIRECTIONS: [DVec2; 8] = [
 impl Label {
     fn svg(&self) -> String {
         let Self { class, position: DVec2 { x, y }, text } = self;
-        let parts = text.split('$').zip([escape_html, symbol_spans].into_iter().cycle());
+        let parts = text.split('$').zip([escape_html, symbol_tspans].into_iter().cycle());
         let spans: String = parts.map(|(part, spans)| spans(part)).collect();
         format!(r#"<text class="{class}" x="{x:.1}" y="{y:.1}">{spans}</text>"#)
     }

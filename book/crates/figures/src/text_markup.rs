@@ -4,7 +4,7 @@ use course::escape_html;
 
 /// Writes a symbol as SVG, in the italic letters of the formulas. `_` makes the next character a
 /// subscript.
-pub fn symbol_spans(symbol: &str) -> String {
+pub fn symbol_tspans(symbol: &str) -> String {
     let mut spans = String::from(r#"<tspan class="math">"#);
     let mut letters = symbol.chars().map(italic_letter);
     while let Some(letter) = letters.next() {
@@ -47,9 +47,9 @@ mod tests {
 
     #[test]
     fn underscore_makes_the_next_letter_a_subscript() {
-        let spans = symbol_spans("V_0");
+        let spans = symbol_tspans("V_0");
         let start = "<tspan class=\"math\">𝑉<tspan class=\"small\" dy=\"4\">0</tspan>";
         assert!(spans.starts_with(start), "{spans}");
-        assert!(symbol_spans("<").contains("&lt;"));
+        assert!(symbol_tspans("<").contains("&lt;"));
     }
 }

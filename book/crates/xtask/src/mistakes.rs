@@ -8,7 +8,7 @@ use crate::source_hash::{hash_texts, trimmed_code_lines};
 use course::{
     Mistake, MistakePicture, MistakeTable, PICTURES, RightPicture, SMALL_SIZE, Step, TableRow,
     encode_png, hash_picture, make_small_picture, mistake_table, parse_mistake_lists,
-    read_locked_picture, read_small_pictures, small_pictures_file_path, workspace,
+    read_locked_picture, read_small_mistake_pictures, small_pictures_file_path, workspace,
 };
 use image::RgbImage;
 use image::imageops::replace;
@@ -80,7 +80,7 @@ impl DrawnMistakes {
         let drawn_rows =
             mistake_table().rows.iter().filter(|row| row.hashes.iter().any(Option::is_some));
         let rows = drawn_rows.map(|row| (row.key, row.hashes.clone())).collect();
-        let pictures = Step::ALL.map(|step| read_small_pictures(&workspace(), step));
+        let pictures = Step::ALL.map(|step| read_small_mistake_pictures(&workspace(), step));
         let small_pictures = pictures.into_iter().flatten().flatten().collect();
         Ok(Self { right_pictures, keys_and_mistakes, rows, small_pictures })
     }

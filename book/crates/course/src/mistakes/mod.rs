@@ -12,5 +12,5 @@ pub use mistake::{
 pub use table::{
     MistakeTable, RightPicture, SMALL_SIZE, TableError, TableRow, find_mistakes_with_hash,
     hashes_of_right_pictures, make_small_picture, mistake_table, mistakes_and_their_rows,
-    names_of_right_pictures, read_small_pictures, small_pictures_file_path,
+    names_of_right_pictures, read_small_mistake_pictures, small_pictures_file_path,
 };

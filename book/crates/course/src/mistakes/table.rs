@@ -205,7 +205,7 @@ pub fn small_pictures_file_path(workspace: &Path, step: Step) -> PathBuf {
 
 /// Reads the checked-in small pictures for a step, each with its name in the table. If the file has
 /// fewer pictures than the table has names, the last names are left out.
-pub fn read_small_pictures(
+pub fn read_small_mistake_pictures(
     workspace: &Path,
     step: Step,
 ) -> ImageResult<Vec<(&'static str, RgbImage)>> {

@@ -33,7 +33,7 @@ pub fn compile_line(place: &Place, text: &str) -> Result<CompiledLine, Refusal> 
         compiler.names.push((name.split_whitespace().collect(), code));
     }
     let part = compiler.compile_statements(&statements, 0..text.len())?;
-    if let Some(fault) = explain_misplaced_line(place, text, &statements, &part) {
+    if let Some(fault) = explain_why_line_does_not_fit(place, text, &statements, &part) {
         return refuse(part.range, fault);
     }
     Ok(CompiledLine {
@@ -47,7 +47,7 @@ pub fn compile_line(place: &Place, text: &str) -> Result<CompiledLine, Refusal> 
 
 /// Explains why a line that is valid on its own doesn't fit its place. Returns None if the line
 /// fits.
-fn explain_misplaced_line(
+fn explain_why_line_does_not_fit(
     place: &Place,
     text: &str,
     statements: &[Stmt],
