@@ -553,6 +553,9 @@
         movePixelOfAddress();
     }
     addEventListener("hashchange", openPixelOfAddress);
+    // If the reader goes back while a pixel waits to be written, the pixel must not be written into
+    // the address to which the reader has gone.
+    addEventListener("popstate", () => figures.forEach(figure => clearTimeout(figure.addressTimer)));
     // If the address already names a pixel, a click on a link to the same pixel doesn't change the
     // address, so there is no hashchange event.
     addEventListener("click", event => {

@@ -26,6 +26,23 @@ test('a link that names a pixel selects this pixel, and Back returns to the link
   await expect.poll(async () => Math.abs((await link.boundingBox()).y - place)).toBeLessThan(24);
 });
 
+test('Back leaves an address as it was, even while a pixel waits to be written', async ({ page, home }) => {
+  await open(page, `${home}step03_nearest.html`);
+  const figure = page.locator('figure[data-live="step03_nearest"]');
+  await makeReady(figure);
+  await page.locator('a[href$="#pixel=195,237"]').first().evaluate(link => link.click());
+  await expect(page).toHaveURL(/#pixel=195,237$/);
+  // The page writes the pixel 150 ms after the last key.
+  await figure.locator('.handle-probe').evaluate(async probe => {
+    probe.dispatchEvent(new KeyboardEvent('keydown', { key: 'ArrowRight', bubbles: true, cancelable: true }));
+    await new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)));
+    history.back();
+  });
+  await expect(page).not.toHaveURL(/#/);
+  await page.waitForTimeout(400);
+  await expect(page).not.toHaveURL(/#/);
+});
+
 test('the first click on a picture opens the panel beside the picture, and the address names the pixel', async ({ page, home }) => {
   await open(page, `${home}step05_phong.html`);
   const [figure, panel] = [page.locator('figure[data-live="step05_phong"]'), page.locator('[data-panel]')];
