@@ -115,9 +115,9 @@
         return keepState;
     }
 
-    // Writes the scene into the page's address each time a gesture ends. Opens the scene that
-    // the address contains, both now and whenever the address changes. Returns a function that
-    // writes the address at once.
+    // Writes the scene into the page's address each time a gesture ends. Opens the scene that the
+    // address contains, both now and whenever the address changes. Returns a function that writes
+    // the address at once.
     /** @param {InteractiveFigure} figure @param {() => void} keepState */
     function followAddress(figure, keepState) {
         let restTimer = 0;

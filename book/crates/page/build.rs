@@ -66,8 +66,8 @@ fn read_step_sources() -> Result<BTreeMap<String, String>, Box<dyn Error>> {
     Ok(files)
 }
 
-/// Rewrites a source file of a step. In the result, each place has the value of the reader's
-/// line, if the reader has edited the place. A failed `debug_assert!` stops the drawing instead of
+/// Rewrites a source file of a step. In the result, each place has the value of the reader's line,
+/// if the reader has edited the place. A failed `debug_assert!` stops the drawing instead of
 /// crashing the module.
 ///
 /// The steps themselves have no hook for the reader's lines, because the book shows all of their
@@ -80,9 +80,9 @@ fn read_step_sources() -> Result<BTreeMap<String, String>, Box<dyn Error>> {
 ///   sentence.
 ///
 /// If a change to a step breaks a replacement, the copy fails to compile or draws a wrong picture.
-/// One test draws a picture for every place, and compares it with the locked picture.
-/// Another test reports any place whose code isn't found. This function skips such a place instead
-/// of failing the build, because that test couldn't run after a failed build.
+/// One test draws a picture for every place, and compares it with the locked picture. Another test
+/// reports any place whose code isn't found. This function skips such a place instead of failing
+/// the build, because that test couldn't run after a failed build.
 fn with_editable_places_and_refusing_asserts(text: &str, file: &str, places: &[Place]) -> String {
     let places = places.iter().filter(|place| place.file == file);
     let ranges_and_places = places.filter_map(|place| Some((place.find_range(text).ok()?, place)));

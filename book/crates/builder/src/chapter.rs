@@ -180,7 +180,7 @@ impl<'a> Chapter<'a> {
                 }
             }
         }
-        for (position, error) in self.boxes.find_missing_parts() {
+        for (position, error) in self.boxes.find_missing_ends_and_panels() {
             self.add_fault(position, error);
         }
     }
@@ -201,8 +201,8 @@ impl<'a> Chapter<'a> {
     }
 
     /// Returns a block in a wrapper, so that a tool, such as the line editor, can open in the
-    /// margin beside the block. A block with notes is returned unchanged, because such a block already
-    /// has a wrapper.
+    /// margin beside the block. A block with notes is returned unchanged, because such a block
+    /// already has a wrapper.
     fn wrap_unless_block_has_notes(&self, block: String, block_start: usize) -> String {
         if self.block_has_notes(block_start) {
             block
@@ -313,7 +313,7 @@ impl<'a> Chapter<'a> {
         let CodeBlockKind::Fenced(info) = kind else {
             return numbers::fill_in_values_in_code(source, &self.sources.values);
         };
-        let (language, fence_words) = info.split_once(',').unwrap_or((info, ""));
+        let (language, words_after_console) = info.split_once(',').unwrap_or((info, ""));
         let lines: Vec<&str> = source.trim_end().lines().skip(1).collect();
         let content = lines[..lines.len().saturating_sub(1)].join("\n");
         let include =
@@ -321,14 +321,14 @@ impl<'a> Chapter<'a> {
         let html = if let Some(Directive { words, .. }) = include {
             let ExpandedListing { markdown, has_places } = listing::expand_listing(
                 language,
-                fence_words,
+                words_after_console,
                 words,
                 self.sources,
                 &mut self.listings,
             )?;
             if has_places { self.wrap_unless_block_has_notes(markdown, start) } else { markdown }
         } else if language == "console" {
-            console::console_markdown(fence_words, &content)?
+            console::console_markdown(words_after_console, &content)?
         } else if language == "algorithm" {
             algorithm::algorithm_html(&content)
         } else if ["", "rust", "toml"].contains(&language) {

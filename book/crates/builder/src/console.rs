@@ -22,7 +22,7 @@ impl ConsoleKind {
     const ALL: [Self; 4] = [Self::Ours, Self::Yours, Self::Refused, Self::Fails];
 
     /// The words after `console,` in a fence of this kind.
-    fn fence_words(self) -> &'static str {
+    fn words_after_console(self) -> &'static str {
         match self {
             Self::Ours => "ours",
             Self::Yours => "yours",
@@ -33,7 +33,7 @@ impl ConsoleKind {
 
     /// The value of the attribute `data-folder` on a page.
     fn data_folder(self) -> String {
-        self.fence_words().replace(',', " ")
+        self.words_after_console().replace(',', " ")
     }
 
     /// Finds the kind with this value of `data-folder`.
@@ -42,13 +42,13 @@ impl ConsoleKind {
     }
 }
 
-/// Returns the Markdown of a console. `fence_words`, from the code fence, say which kind of console
+/// Returns the Markdown of a console. `words_after_console`, from the code fence, say which kind of console
 /// it is. Only commands for our folder get a caption. All other commands are for the reader's
 /// folder, and it is enough that step 1 says so.
-pub fn console_markdown(fence_words: &str, commands: &str) -> ChapterResult<String> {
+pub fn console_markdown(words_after_console: &str, commands: &str) -> ChapterResult<String> {
     let kind = ConsoleKind::ALL
         .into_iter()
-        .find(|kind| kind.fence_words() == fence_words)
+        .find(|kind| kind.words_after_console() == words_after_console)
         .ok_or(ChapterError::ConsoleForm)?;
     let caption = match kind {
         ConsoleKind::Ours => {

@@ -168,7 +168,7 @@ impl Boxes {
 
     /// Finds what is still missing when the chapter ends: panels of pictures, and the `{{#end}}` of
     /// a box. Each error comes with the position of that picture or box.
-    pub fn find_missing_parts(&self) -> Vec<(usize, ChapterError)> {
+    pub fn find_missing_ends_and_panels(&self) -> Vec<(usize, ChapterError)> {
         let open = self.open.iter().map(|open| {
             let start = match open {
                 OpenBox::Standalone { start, .. } => *start,
@@ -202,8 +202,8 @@ mod tests {
         boxes.end_box().map(|(html, _)| html).map_err(|error| error.to_string())
     }
 
-    fn missing_parts(boxes: &Boxes) -> Vec<String> {
-        let parts = boxes.find_missing_parts().into_iter();
+    fn missing_ends_and_panels(boxes: &Boxes) -> Vec<String> {
+        let parts = boxes.find_missing_ends_and_panels().into_iter();
         parts.map(|(position, error)| format!("{position}: {error}")).collect()
     }
 
@@ -216,7 +216,7 @@ mod tests {
             let ending = end_box(&mut boxes).expect("the panel can end");
             assert_eq!(opening.matches("<div").count(), wrappers, "{opening}");
             assert_eq!(ending.matches("</div>").count(), wrappers, "{ending}");
-            assert_eq!(missing_parts(&boxes), [""; 0]);
+            assert_eq!(missing_ends_and_panels(&boxes), [""; 0]);
         }
     }
 
@@ -227,7 +227,7 @@ mod tests {
         boxes.await_panel("step03_nearest", 5, false);
         let missing = |start, name| format!("{start}: {}", ChapterError::MissingPanel(name));
         let [first, second] = [missing(3, "step02_sphere"), missing(5, "step03_nearest")];
-        assert_eq!(missing_parts(&boxes), [first.clone(), second.clone()]);
+        assert_eq!(missing_ends_and_panels(&boxes), [first.clone(), second.clone()]);
         assert!(
             boxes.begin_pixel_panel("step02_sphere", 7).is_err(),
             "a panel has to be for the last picture"
@@ -235,7 +235,7 @@ mod tests {
         end_box(&mut boxes).expect("the box can end");
         boxes.begin_pixel_panel("step03_nearest", 9).expect("the panel can begin");
         end_box(&mut boxes).expect("the box can end");
-        assert_eq!(missing_parts(&boxes), [first]);
+        assert_eq!(missing_ends_and_panels(&boxes), [first]);
     }
 
     #[test]
@@ -245,7 +245,10 @@ mod tests {
         boxes.ensure_problem_can_begin().expect_err("a problem is open");
         begin_folded_box(&mut boxes, BoxKind::Answer).expect("the answer can begin");
         assert!(boxes.open_answer_mut().is_some());
-        assert_eq!(missing_parts(&boxes), [format!("2: {}", ChapterError::MissingEndOfBox)]);
+        assert_eq!(
+            missing_ends_and_panels(&boxes),
+            [format!("2: {}", ChapterError::MissingEndOfBox)]
+        );
         assert_eq!(end_box(&mut boxes).as_deref(), Ok("</details>\n</section>\n"));
         boxes.ensure_problem_can_begin().expect("no box is open");
     }

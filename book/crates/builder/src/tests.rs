@@ -41,9 +41,7 @@ fn each_directive_is_listed_in_lib_and_expanded_in_one_of_each() {
         }
         let is_expanded =
             ["}}", " "].iter().any(|end| example.contains(&format!("{{{{#{name}{end}")));
-        // `our-folder` needs no example, since `expand_chapter` only replaces this directive with
-        // the text that the caller passes.
-        if kind != DirectiveKind::OurFolder && !is_expanded {
+        if !is_expanded {
             faults.push(format!("tests/one_of_each.md has no {{{{#{name}}}}}."));
         }
     }

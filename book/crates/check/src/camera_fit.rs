@@ -268,8 +268,8 @@ mod tests {
         let white = RgbImage::from_fn(640, 360, |i, j| [255, ours[(i, j)][1], 255].into());
         assert_eq!(bounds(&white, D_U), Some(f64::NEG_INFINITY..=f64::INFINITY));
         // All three channels are halved, so no pixel counts as sky.
-        let green = render(&camera(), 1, |ray| step01_rays::direction_colour(ray) * 0.5);
-        assert_eq!(bounds(&green, D_U), Some(f64::NEG_INFINITY..=f64::INFINITY));
+        let half_as_bright = render(&camera(), 1, |ray| step01_rays::direction_colour(ray) * 0.5);
+        assert_eq!(bounds(&half_as_bright, D_U), Some(f64::NEG_INFINITY..=f64::INFINITY));
     }
 
     /// Changes one number of our camera, draws the picture of step 3, and runs

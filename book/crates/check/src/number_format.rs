@@ -46,7 +46,7 @@ mod tests {
     }
 
     #[test]
-    fn typed_numbers_have_parentheses_unless_there_is_only_one() {
+    fn several_numbers_have_parentheses_and_one_number_has_none() {
         assert_eq!(format_with_hyphens(&[-2.5]), "-2.5");
         assert_eq!(format_with_hyphens(&[1.0, -2.5, 0.0]), "(1, -2.5, 0)");
         assert_eq!(replace_hyphens_with_minus(&format_with_hyphens(&[-1.0])), "−1");

@@ -201,9 +201,9 @@ fn fine_angles_that_fit_border(yours: &RgbImage) -> impl Iterator<Item = f64> {
     })
 }
 
-/// Returns the smallest and the largest number that enough intervals contain. Enough is the maximum
-/// count for any number, less one in `BORDER_BYTES_PER_WRONG_BYTE`. A few intervals may be wrong,
-/// because a highlight may pass for sky. If there are no intervals, returns 0 and infinity.
+/// Returns the smallest and the largest number that lie in enough intervals: in as many as any
+/// number, or in a few fewer, at most one in `BORDER_BYTES_PER_WRONG_BYTE`. A few intervals may be
+/// wrong, because a highlight may pass for sky. If there are no intervals, returns 0 and infinity.
 fn find_almost_common_bounds(intervals: &[(f64, f64)]) -> (f64, f64) {
     if intervals.is_empty() {
         return (0.0, f64::INFINITY);

@@ -43,7 +43,7 @@ pub(crate) fn count_pixels_per_region(comparison: &Comparison, scene: &StepScene
 
 /// Says how many wrong pixels show what should be hidden behind an object, and names the objects
 /// that are missing from your picture. Returns None if no object is missing and less than a tenth
-/// of the wrong pixels show what should be hidden. Fewer pixels may show it by chance.
+/// of the wrong pixels show what should be hidden, because so few may do this by chance.
 pub(crate) fn colours_from_behind_sentence(regions: &[Region]) -> Option<String> {
     let from_behind: usize = regions.iter().map(|region| region.from_behind_count).sum();
     let wrong: usize = regions.iter().map(|region| region.wrong_count).sum();

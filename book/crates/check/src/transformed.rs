@@ -31,8 +31,7 @@ const CHANNEL_ORDERS: [(&str, [usize; 3]); 4] = [
 ];
 
 /// Describes a picture if it is ours, but turned, mirrored, cropped, enlarged or with channels
-/// swapped.
-/// Returns None for all other pictures. `title` is a phrase that stands for our picture, such as
+/// swapped. Returns None for all other pictures. `title` is a phrase that stands for our picture, such as
 /// `the picture of glass`.
 pub(crate) fn describe_transformed(
     picture: &RgbImage,
@@ -70,7 +69,7 @@ fn turned_or_swapped_clauses(yours: &RgbImage, ours: &RgbImage) -> Vec<String> {
         return vec![];
     }
     let (columns, rows) = ours.dimensions();
-    let clauses = ORIENTATIONS.iter().filter_map(|(words, orientation)| {
+    let clauses = ORIENTATIONS.iter().filter_map(|(clause, orientation)| {
         // Several orders may fit: a grey picture looks the same in all of them.
         let (swapped, _) = CHANNEL_ORDERS.iter().find(|(_, order)| {
             scattered_positions((columns, rows)).all(|position| {
@@ -79,7 +78,7 @@ fn turned_or_swapped_clauses(yours: &RgbImage, ours: &RgbImage) -> Vec<String> {
                 yours.get_pixel_checked(i, j).is_some_and(|yours| yours.0 == colour)
             })
         })?;
-        let words = [*words, *swapped].into_iter().filter(|words| !words.is_empty());
+        let words = [*clause, *swapped].into_iter().filter(|words| !words.is_empty());
         Some(words.collect::<Vec<_>>().join(", "))
     });
     clauses.collect()

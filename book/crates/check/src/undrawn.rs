@@ -4,9 +4,11 @@
 use crate::comparison::{Comparison, Pixel};
 use std::collections::BTreeSet;
 
-/// The minimum number of wrong pixels of one colour that we describe. Also the minimum number of
-/// pixels that a border has to surround.
-const MIN_PIXELS: usize = 100;
+/// The minimum number of wrong pixels of one colour that we describe.
+const MIN_DESCRIBED_PIXELS: usize = 100;
+
+/// The minimum number of pixels that a border has to surround.
+const MIN_SURROUNDED_PIXELS: usize = 100;
 
 /// The maximum number of rectangles that a sentence names.
 const MAX_RECTANGLES: usize = 4;
@@ -25,7 +27,7 @@ const WHITE: [u8; 3] = [255; 3];
 /// Black pixels that form no simple shape are described only if the picture is drawn from a scene,
 /// every wrong pixel is black, and the sky has both wrong and right pixels.
 pub(crate) fn undrawn_sentence(comparison: &Comparison) -> Option<String> {
-    black_pixels_sentence(comparison).or_else(|| white_shape_sentence(comparison))
+    black_pixels_sentence(comparison).or_else(|| white_pixels_sentence(comparison))
 }
 
 /// Describes the wrong pixels that are black, and says whether they may be undrawn.
@@ -54,7 +56,7 @@ fn black_pixels_sentence(comparison: &Comparison) -> Option<String> {
 }
 
 /// Describes the wrong pixels that are white. Returns None if these pixels form no simple shape.
-fn white_shape_sentence(comparison: &Comparison) -> Option<String> {
+fn white_pixels_sentence(comparison: &Comparison) -> Option<String> {
     let mask = Mask::of_colour_if_common(comparison, WHITE)?;
     let Shape { words, .. } = mask.find_shape()?;
     Some(format!("{} wrong pixels are white: {words}.", mask.inside_count()))
@@ -109,7 +111,7 @@ impl Mask {
     fn of_colour_if_common(comparison: &Comparison, colour: [u8; 3]) -> Option<Self> {
         let has_colour = |pixel: &&Pixel| pixel.yours == colour;
         let count = comparison.wrong.iter().filter(has_colour).count();
-        (count >= MIN_PIXELS).then(|| Self::of_colour(comparison, colour))
+        (count >= MIN_DESCRIBED_PIXELS).then(|| Self::of_colour(comparison, colour))
     }
 
     /// Creates the mask for a colour.
@@ -191,7 +193,10 @@ impl Mask {
         let bars: Vec<_> = sides.into_iter().filter(|(_, width)| *width > 0).collect();
         // A single bar doesn't count as a border, because a loop that ends too soon leaves such a
         // bar undrawn. A border also has to surround enough pixels.
-        if bars.len() < 2 || outside_pixels.len() < MIN_PIXELS || !self.fits_shape(is_border) {
+        if bars.len() < 2
+            || outside_pixels.len() < MIN_SURROUNDED_PIXELS
+            || !self.fits_shape(is_border)
+        {
             return None;
         }
         let shape = if bars.len() == 4 { "a frame" } else { "bars" };

@@ -78,7 +78,7 @@ fn submitted_contents() -> SubmittedContents {
 
 const FOLDERS: &str = "**Moodle, D2L Brightspace, Gradescope and GitHub**";
 
-/// About two dozen students submit files on seven platforms. Each picture appears in a report: the
+/// Students submit files on seven platforms. Each picture appears in a report: the
 /// report either calls the picture right, or points the teacher to the picture.
 #[test]
 fn made_up_downloads_are_reported_as_locked() {

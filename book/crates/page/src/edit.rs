@@ -177,18 +177,18 @@ fn describe_known_picture(edit: &Edit, picture: &RgbImage) -> Option<String> {
 /// this effect, because the picture depends only on whether a ray meets the ball, not on the t of
 /// the hit.
 ///
-/// Some pixels of each later step are drawn, once with the reader's lines and once with the book's.
+/// Draws some pixels of one later step after the other, with the reader's lines and with the book's.
 /// The answer names the first step whose pixels differ, or that would stop because of the lines. If
-/// there is no such step, the answer says that no pixel differs. Returns None if a step takes too
-/// many operations.
+/// there is no such step, the answer says that no pixel differs. Returns None if the lines are
+/// refused for any other reason, such as too many operations.
 fn describe_effect_on_later_steps(edit: &Edit) -> Option<String> {
     let lines = edit.compile_lines().ok()?;
-    let cannot_show_sentence = "This picture can't show what you changed here: it shows whether a ray meets the \
-                 ball, not at which t.";
-    // A ray may evaluate the lines once in step 2, but nine times in a later step: once for each of
-    // the nine balls. So the limit allows about eight times as many operations per pixel as
-    // MAX_OPERATIONS allows for a picture of full size.
-    let max_operations = 8 * MAX_OPERATIONS / u64::from(PIXEL_SPACING * PIXEL_SPACING);
+    let cannot_show_sentence = "This picture can't show what you changed here: it shows whether a \
+                                ray meets the ball, not at which t.";
+    // In step 2, a ray evaluates the lines once. In a later step, it may evaluate them once for
+    // each of the nine balls. So a pixel may take nine times as many operations here as a pixel of
+    // a full-size picture.
+    let max_operations = 9 * MAX_OPERATIONS / u64::from(PIXEL_SPACING * PIXEL_SPACING);
     let draw = |step: Step, lines: &[CompiledLine]| {
         draw_some_pixels(step, lines, PIXEL_SPACING, FULL_WIDTH, max_operations)
     };

@@ -196,7 +196,7 @@ impl SceneSheet {
 }
 
 /// Builds the table for one kind of owner. For [`Owner::Object`], the table has one row for each
-/// object. The numbers are formatted as they are typed in Rust. Leaves out the numbers that matter
+/// object. The numbers have hyphens as minus signs, as in Rust. Leaves out the numbers that matter
 /// only if the scene has mirrors.
 fn number_table(scene: &StepScene, owner: Owner) -> Vec<Vec<String>> {
     let is_seen =

@@ -65,9 +65,9 @@ pub struct Scalar {
     /// Whether the number has an effect only in a scene with shadows and mirrors.
     pub needs_mirrors: bool,
     /// The axis, if this number is a coordinate of an object or a light. The channel, if this
-    /// number belongs to a colour. None for all other numbers, for the camera's coordinates, and
-    /// for the colour of a highlight. A page's handles and its colour field find their numbers by
-    /// these components.
+    /// number belongs to the ambient light, or to the colour of an object or a light. None for all
+    /// other numbers, which include the camera's coordinates and the colours of highlights. A
+    /// page's handles and its colour field find their numbers by these components.
     pub component: Option<Component>,
     property: Property,
     /// The index of this number among the property's three numbers, such as the index of the axis
@@ -315,7 +315,7 @@ pub static QUANTITIES: &[Quantity] = &[
         name: "(a, b, c)",
         owner: Owner::Light,
         typed: Some(TypedRange { first_step: Step::Diffuse, range: [0, 2], steps_per_unit: 1000 }),
-        scalars: &with_axes([
+        scalars: &with_numbered_axes([
             // The minimum is above 0, so that a + bd + cd² is never 0.
             scalar(Property::Attenuation, "a", "constant fading", [0.1, 2.0], 100.0),
             scalar(Property::Attenuation, "b", "linear fading", [0.0, 1.0], 1000.0),
@@ -361,7 +361,7 @@ const fn xyz(
     ranges: [[f64; 2]; 3],
 ) -> [Scalar; 3] {
     let [x, y, z] = ranges;
-    with_axes([
+    with_numbered_axes([
         scalar(property, "x", right, x, 100.0),
         scalar(property, "y", up, y, 100.0),
         scalar(property, "z", back, z, 100.0),
@@ -393,7 +393,7 @@ const fn colour(property: Property, max: f64) -> [Scalar; 3] {
 /// The three channels of a colour, each from 0 to `max` in increments of 0.01.
 const fn rgb(property: Property, [red, green, blue]: [&'static str; 3], max: f64) -> [Scalar; 3] {
     let range = [0.0, max];
-    with_axes([
+    with_numbered_axes([
         scalar(property, "", red, range, 100.0),
         scalar(property, "", green, range, 100.0),
         scalar(property, "", blue, range, 100.0),
@@ -401,7 +401,7 @@ const fn rgb(property: Property, [red, green, blue]: [&'static str; 3], max: f64
 }
 
 /// Sets the axes of a property's three numbers to 0, 1 and 2.
-const fn with_axes([x, y, z]: [Scalar; 3]) -> [Scalar; 3] {
+const fn with_numbered_axes([x, y, z]: [Scalar; 3]) -> [Scalar; 3] {
     [x, Scalar { axis: 1, ..y }, Scalar { axis: 2, ..z }]
 }
 

@@ -6,7 +6,7 @@ mod program;
 
 use crate::{COLUMNS, Content, EditableScene, Figure, Handle, Mark, ParameterId, ParameterValues};
 use course::{Component, Owner};
-use parameters::{PARAMETERS, Target, complete_scene, component_ids, own_scene};
+use parameters::{PARAMETERS, Target, component_ids, own_scene, scene_including_what_is_off};
 use program::format_program;
 use step05_phong::nearest;
 
@@ -43,7 +43,7 @@ pub fn figure() -> Figure {
 fn sphere_or_light_handle(owner: Owner, k: usize, presence: ParameterId) -> Option<Handle> {
     let camera_and_point = move |values: &ParameterValues| {
         values.is_on(presence).then(|| {
-            let own_scene = complete_scene(values);
+            let own_scene = scene_including_what_is_off(values);
             let point = match owner {
                 Owner::Light => own_scene.scene.lights[k].point_light.position,
                 _ => own_scene.scene.objects[k].sphere.centre,

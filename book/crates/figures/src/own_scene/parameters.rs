@@ -89,7 +89,7 @@ pub fn component_ids(object: &str, components: [Component; 3]) -> Option<[Parame
 
 /// The scene with these values, without the objects and lights that are switched off.
 pub fn own_scene(values: &ParameterValues) -> OwnScene {
-    let mut own_scene = complete_scene(values);
+    let mut own_scene = scene_including_what_is_off(values);
     // Goes from last to first, because removing an object or a light changes all later indices.
     for (target, parameter) in PARAMETERS.iter().rev() {
         match *target {
@@ -108,7 +108,7 @@ pub fn own_scene(values: &ParameterValues) -> OwnScene {
 }
 
 /// The scene with these values, including the objects and lights that are switched off.
-pub fn complete_scene(values: &ParameterValues) -> OwnScene {
+pub fn scene_including_what_is_off(values: &ParameterValues) -> OwnScene {
     let mut own_scene = largest_scene();
     own_scene.has_shadows_and_mirrors = values.is_on(MIRRORS);
     for (target, parameter) in &*PARAMETERS {

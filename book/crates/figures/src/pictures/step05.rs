@@ -14,7 +14,7 @@ fn shininess_id(object: &'static str) -> ParameterId {
     ParameterId::of(object, "shininess")
 }
 
-fn reflectance_id(object: &'static str) -> ParameterId {
+fn specular_reflectance_id(object: &'static str) -> ParameterId {
     ParameterId::of(object, "specular reflectance")
 }
 
@@ -31,7 +31,7 @@ pub fn figure() -> Figure {
     });
     let reflectances = objects.iter().map(|Object { name, material, .. }| {
         let default = material.specular.x;
-        parameter_shown_if_probed(reflectance_id(name), name, default, [0.0, 1.0], 20.0)
+        parameter_shown_if_probed(specular_reflectance_id(name), name, default, [0.0, 1.0], 20.0)
             .with_symbol("Rₛ")
     });
     let parameters = switches.into_iter().chain(shininesses).chain(reflectances);
@@ -56,7 +56,7 @@ fn changed_scene(values: &ParameterValues) -> Scene<Material, Light> {
     }
     for object in &mut scene.objects {
         object.material.shininess = values[shininess_id(object.name)] as i32;
-        object.material.specular = DVec3::splat(values[reflectance_id(object.name)]);
+        object.material.specular = DVec3::splat(values[specular_reflectance_id(object.name)]);
     }
     scene
 }

@@ -524,7 +524,7 @@ mod tests {
     }
 
     #[test]
-    fn method_can_be_called_on_what_is_atomic() {
+    fn text_is_atomic_if_a_method_call_on_it_needs_no_parentheses() {
         for text in ["a", "2.0", "v.x", "v.dot(v)", "f(a)", "a[0]", "(a + b)"] {
             assert!(is_atomic(text), "{text}");
         }

@@ -188,7 +188,7 @@ impl Compiler<'_> {
     /// capitalised.
     fn add_name(&mut self, ident: &Ident, value: Code) -> Result<(), Refusal> {
         let name = ident.to_string();
-        let is_end = |sign: char| !sign.is_alphanumeric() && sign != '_';
+        let is_end = |c: char| !c.is_alphanumeric() && c != '_';
         let mut root_names =
             self.names.iter().map(|(known_name, _)| known_name.split(is_end).next());
         if ["self", "gen"].contains(&&*name) || name.starts_with(char::is_uppercase) {
