@@ -10,8 +10,12 @@ test('a link that names a pixel selects this pixel, and Back returns to the link
   const link = page.locator('a[href$="#pixel=195,237"]').first();
   await link.scrollIntoViewIfNeeded();
   await figure.and(page.locator('[data-ready]')).waitFor({ timeout: 20_000 });
-  const place = (await link.boundingBox()).y;
+  // Playwright may scroll before it clicks, so measure where the link is when it is clicked.
+  const placeOfClick = link.evaluate(element => new Promise(done => {
+    element.addEventListener('click', () => done(element.getBoundingClientRect().y), { once: true });
+  }));
   await link.click();
+  const place = await placeOfClick;
   await expect(figure).toBeInViewport();
   await expect(page.locator('[data-panel] [data-number="step03_nearest:i"]')).toHaveText('195');
   await expect(figure.locator('.hint')).toHaveText(/^red, t = [\d.]+ .*\(\d+, \d+, \d+\) Copy link$/);

@@ -29,9 +29,6 @@ export default defineConfig({
   use: { actionTimeout: 15_000 },
   forbidOnly: true,
   reporter: process.env.CI ? 'dot' : 'list',
-  // On a busy machine, a browser may be late. A test that passes only at its second attempt is
-  // reported as flaky.
-  retries: process.env.CI ? 1 : 0,
   // Without THOROUGH=1, it's enough to test one figure per page, to run axe on some of the pages,
   // and to test the search's results in one browser.
   grepInvert: isThorough ? [] : /@thorough|the figure own_scene/,

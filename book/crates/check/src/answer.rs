@@ -119,8 +119,8 @@ pub struct ComparedPictures {
 /// reader's picture with those options.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct OptionDoubts {
-    /// The listed mistakes that, with the default options, produce the reader's picture. Mistakes in
-    /// the code that reads the options are left out.
+    /// The listed mistakes that, with the default options, produce the reader's picture. Mistakes
+    /// in the code that reads the options are left out.
     pub mistakes: Vec<&'static Mistake>,
     /// Whether the whole picture is one colour. Many options and mistakes produce such a picture.
     pub is_one_colour: bool,

@@ -17,10 +17,10 @@ const IN_UTF_16: &str = "text in UTF-16, as > writes it in PowerShell; have the 
                          picture itself";
 const WEB_PAGE: &str = "a web page, not the picture on it; save the picture itself";
 
-/// Formats other than PNG. An entry consists of the offset of the format's signature, the signature,
-/// and the words that follow "is" in the error message. The offset is counted from the first byte
-/// that isn't white space. The last entries recognise PNG files whose first bytes were changed by
-/// copying.
+/// Formats other than PNG. An entry consists of the offset of the format's signature, the
+/// signature, and the words that follow "is" in the error message. The offset is counted from the
+/// first byte that isn't white space. The last entries recognise PNG files whose first bytes were
+/// changed by copying.
 const FORMATS: [(usize, &[u8], &str); 26] = [
     (0, b"\xff\xd8\xff", "a JPEG, which has lost details; draw it again as PNG"),
     (8, b"WEBP", "a WebP picture; save it as PNG"),

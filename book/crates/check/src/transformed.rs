@@ -31,8 +31,8 @@ const CHANNEL_ORDERS: [(&str, [usize; 3]); 4] = [
 ];
 
 /// Describes a picture if it is ours, but turned, mirrored, cropped, enlarged or with channels
-/// swapped. Returns None for all other pictures. `title` is a phrase that stands for our picture, such as
-/// `the picture of glass`.
+/// swapped. Returns None for all other pictures. `title` is a phrase that stands for our picture,
+/// such as `the picture of glass`.
 pub(crate) fn describe_transformed(
     picture: &RgbImage,
     ours: &RgbImage,

@@ -177,10 +177,10 @@ fn describe_known_picture(edit: &Edit, picture: &RgbImage) -> Option<String> {
 /// this effect, because the picture depends only on whether a ray meets the ball, not on the t of
 /// the hit.
 ///
-/// Draws some pixels of one later step after the other, with the reader's lines and with the book's.
-/// The answer names the first step whose pixels differ, or that would stop because of the lines. If
-/// there is no such step, the answer says that no pixel differs. Returns None if the lines are
-/// refused for any other reason, such as too many operations.
+/// Draws some pixels of one later step after the other, with the reader's lines and with the
+/// book's. The answer names the first step whose pixels differ, or that would stop because of the
+/// lines. If there is no such step, the answer says that no pixel differs. Returns None if the
+/// lines are refused for any other reason, such as too many operations.
 fn describe_effect_on_later_steps(edit: &Edit) -> Option<String> {
     let lines = edit.compile_lines().ok()?;
     let cannot_show_sentence = "This picture can't show what you changed here: it shows whether a \
